@@ -1,0 +1,66 @@
+//! The one error of the crate: a parameter outside its range.
+
+use core::error::Error;
+use core::fmt;
+
+/// A parameter that a constructor did not accept.
+///
+/// ```
+/// use brdf::{Beckmann, ParameterError};
+///
+/// let error = Beckmann::new(-0.1_f64).unwrap_err();
+/// assert_eq!(error.parameter(), "roughness");
+/// assert_eq!(error.value(), -0.1);
+/// assert_eq!(error.to_string(), "roughness must be between 0.00000001 and 10000, not -0.1");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct ParameterError {
+    parameter: &'static str,
+    value: f64,
+    lower: f64,
+    upper: f64,
+}
+
+impl ParameterError {
+    /// Checks one parameter: `outside` is what [`Real::outside`](crate::Real::outside) found.
+    #[inline]
+    pub(crate) fn check(
+        parameter: &'static str,
+        outside: Option<f64>,
+        lower: f64,
+        upper: f64,
+    ) -> Result<(), Self> {
+        match outside {
+            None => Ok(()),
+            Some(value) => Err(Self { parameter, value, lower, upper }),
+        }
+    }
+
+    /// The name of the parameter.
+    #[must_use]
+    pub const fn parameter(&self) -> &'static str {
+        self.parameter
+    }
+
+    /// The value that was given.
+    #[must_use]
+    pub const fn value(&self) -> f64 {
+        self.value
+    }
+
+    /// The smallest and the largest allowed value, both included.
+    #[must_use]
+    pub const fn range(&self) -> (f64, f64) {
+        (self.lower, self.upper)
+    }
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { parameter, value, lower, upper } = self;
+        write!(f, "{parameter} must be between {lower} and {upper}, not {value}")
+    }
+}
+
+impl Error for ParameterError {}

@@ -1,0 +1,10 @@
+//! Numbers: the trait that formulas are written over, and the numbers they run on.
+
+mod float;
+mod lanes;
+mod traits;
+mod vector3;
+
+pub use lanes::Lanes;
+pub use traits::{Color, Mask, Real, Vector};
+pub use vector3::Vector3;

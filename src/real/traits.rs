@@ -1,0 +1,309 @@
+//! The contracts: what a number, a mask, a vector and a colour can do.
+//!
+//! They stand in one file because they refer to each other: a number names the vector made of it.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The answer of a comparison: one truth value, or one per lane, or a symbol.
+///
+/// A mask is never turned into a `bool` by a formula; it chooses, through [`Real::select`].
+pub trait Mask: Copy + Debug {
+    /// True where both are true.
+    #[must_use]
+    fn and(self, other: Self) -> Self;
+    /// True where at least one is true.
+    #[must_use]
+    fn or(self, other: Self) -> Self;
+    /// True where this is false.
+    #[must_use]
+    fn not(self) -> Self;
+}
+
+/// The number that every formula of this crate is written over.
+///
+/// Implemented by `f32`, `f64` and [`Lanes`](crate::Lanes); open to derivatives and traced
+/// expressions. Formulas choose with [`select`](Self::select) and never branch on a value, so the
+/// side that is not taken must be harmless too.
+///
+/// The elementary functions of `f32`, `f64` and their lanes are this crate's own: built of
+/// additions, multiplications, divisions and square roots without fused multiply-add, they give
+/// the same bits for a scalar and in lanes, on every instruction set and in every build.
+pub trait Real:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// What comparisons answer.
+    type Mask: Mask;
+    /// Three of these numbers, as a direction or as an RGB colour: `glam::Vec3` for `f32`,
+    /// `glam::DVec3` for `f64`, [`Vector3`](crate::Vector3) otherwise.
+    type Vec3: Vector<Self> + Color<Self>;
+
+    /// The nearest number to a literal.
+    #[must_use]
+    fn lit(value: f64) -> Self;
+    /// The largest finite number. Values too large to represent saturate here.
+    #[must_use]
+    fn max_finite() -> Self;
+    /// `yes` where the mask is true, `no` elsewhere.
+    #[must_use]
+    fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// A value of this number that does not lie in `lower..=upper` (NaN never does), if there is
+    /// one. Constructors validate with it; a symbol has no value and answers `None`.
+    #[must_use]
+    fn outside(self, lower: f64, upper: f64) -> Option<f64>;
+
+    /// Where `self < other`; false for NaN.
+    #[must_use]
+    fn lt(self, other: Self) -> Self::Mask;
+    /// Where `self <= other`; false for NaN.
+    #[must_use]
+    fn le(self, other: Self) -> Self::Mask;
+    /// Where `self > other`; false for NaN.
+    #[must_use]
+    fn gt(self, other: Self) -> Self::Mask {
+        other.lt(self)
+    }
+    /// Where `self >= other`; false for NaN.
+    #[must_use]
+    fn ge(self, other: Self) -> Self::Mask {
+        other.le(self)
+    }
+    /// The smaller of two; `other` if either is NaN.
+    #[must_use]
+    fn min(self, other: Self) -> Self {
+        Self::select(self.lt(other), self, other)
+    }
+    /// The larger of two; `other` if either is NaN.
+    #[must_use]
+    fn max(self, other: Self) -> Self {
+        Self::select(self.gt(other), self, other)
+    }
+    /// Absolute value.
+    #[must_use]
+    fn abs(self) -> Self;
+    /// The magnitude of `self` with the sign of `sign`, also for zeros.
+    #[must_use]
+    fn copysign(self, sign: Self) -> Self;
+    /// The largest integer not above.
+    #[must_use]
+    fn floor(self) -> Self;
+    /// Square root, correctly rounded.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// eˣ.
+    #[must_use]
+    fn exp(self) -> Self;
+    /// eˣ − 1, accurate near 0.
+    #[must_use]
+    fn exp_m1(self) -> Self;
+    /// Natural logarithm.
+    #[must_use]
+    fn ln(self) -> Self;
+    /// ln(1 + x), accurate near 0.
+    #[must_use]
+    fn ln_1p(self) -> Self;
+    /// `self` to a real power, for `self >= 0`; 0⁰ = 1.
+    #[must_use]
+    fn powf(self, exponent: Self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    #[must_use]
+    fn sin_cos(self) -> (Self, Self);
+    /// Sine of an angle in radians.
+    #[must_use]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// Cosine of an angle in radians.
+    #[must_use]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+    /// Tangent of an angle in radians.
+    #[must_use]
+    fn tan(self) -> Self;
+    /// Arc sine in [−π/2, π/2]; arguments outside [−1, 1] count as the nearest end.
+    #[must_use]
+    fn asin(self) -> Self;
+    /// Arc cosine in [0, π]; arguments outside [−1, 1] count as the nearest end.
+    #[must_use]
+    fn acos(self) -> Self;
+    /// The angle of the point (x = `other`, y = `self`) in (−π, π]; 0 at the origin.
+    #[must_use]
+    fn atan2(self, other: Self) -> Self;
+    /// Error function.
+    #[must_use]
+    fn erf(self) -> Self;
+    /// 1 − erf(x), accurate relative to its own size in the tail.
+    #[must_use]
+    fn erfc(self) -> Self;
+    /// The x with erf(x) = `self`, for −1 < `self` < 1; finite at the ends.
+    #[must_use]
+    fn erf_inv(self) -> Self;
+
+    /// `self²`.
+    #[must_use]
+    fn squared(self) -> Self {
+        self * self
+    }
+    /// `self` to a whole power, by repeated squaring.
+    #[must_use]
+    fn powi(self, exponent: u32) -> Self {
+        let (mut result, mut square, mut rest) = (Self::lit(1.0), self, exponent);
+        while rest > 0 {
+            if rest & 1 == 1 {
+                result = result * square;
+            }
+            square = square * square;
+            rest >>= 1;
+        }
+        result
+    }
+    /// `self` moved into `lower..=upper`; `lower` for NaN.
+    #[must_use]
+    fn clamp(self, lower: Self, upper: Self) -> Self {
+        self.max(lower).min(upper)
+    }
+}
+
+/// A vector in space: the direction of light, of the viewer, of a facet.
+///
+/// The operations are spelled out in components so that a scalar and a lane round alike.
+pub trait Vector<T: Real>:
+    Copy + Debug + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> + Mul<T, Output = Self>
+{
+    /// The vector with these components.
+    #[must_use]
+    fn new(x: T, y: T, z: T) -> Self;
+    /// First component: along the tangent.
+    #[must_use]
+    fn x(self) -> T;
+    /// Second component: along the bitangent.
+    #[must_use]
+    fn y(self) -> T;
+    /// Third component: along the normal; the cosine of the polar angle of a unit direction.
+    #[must_use]
+    fn z(self) -> T;
+
+    /// Scalar product.
+    #[must_use]
+    fn dot(self, other: Self) -> T {
+        self.x() * other.x() + self.y() * other.y() + self.z() * other.z()
+    }
+    /// Vector product.
+    #[must_use]
+    fn cross(self, other: Self) -> Self {
+        Self::new(
+            self.y() * other.z() - self.z() * other.y(),
+            self.z() * other.x() - self.x() * other.z(),
+            self.x() * other.y() - self.y() * other.x(),
+        )
+    }
+    /// `self · self`.
+    #[must_use]
+    fn length_squared(self) -> T {
+        Vector::dot(self, self)
+    }
+    /// The unit vector of the same direction; the normal `(0, 0, 1)` for a vector too short to
+    /// have one.
+    #[must_use]
+    fn normalize_or_normal(self) -> Self {
+        let length_squared = Vector::length_squared(self);
+        let usable = length_squared.gt(T::lit(1e-37));
+        let scale = T::lit(1.0) / T::select(usable, length_squared, T::lit(1.0)).sqrt();
+        Self::select(usable, self * scale, Self::new(T::lit(0.0), T::lit(0.0), T::lit(1.0)))
+    }
+    /// `yes` where the mask is true, `no` elsewhere.
+    #[must_use]
+    fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self::new(
+            T::select(mask, yes.x(), no.x()),
+            T::select(mask, yes.y(), no.y()),
+            T::select(mask, yes.z(), no.z()),
+        )
+    }
+}
+
+/// Whatever has channels: a number (one wavelength) or a vector (red, green, blue).
+pub trait Color<T: Real>:
+    Copy
+    + Debug
+    + Send
+    + Sync
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Mul<T, Output = Self>
+{
+    /// The same kind of colour made of another number.
+    type Over<U: Real>: Color<U>;
+
+    /// The colour with the same value in every channel.
+    #[must_use]
+    fn splat(value: T) -> Self;
+    /// Applies a formula to each channel.
+    #[must_use]
+    fn map(self, formula: impl Fn(T) -> T) -> Self;
+    /// Applies a formula to each pair of channels.
+    #[must_use]
+    fn zip(self, other: Self, formula: impl Fn(T, T) -> T) -> Self;
+    /// The same colour in another number.
+    #[must_use]
+    fn lift<U: Real>(self, lift: impl Fn(T) -> U) -> Self::Over<U>;
+    /// Runs through the channels, first to last.
+    #[must_use]
+    fn fold<A>(self, start: A, step: impl Fn(A, T) -> A) -> A;
+
+    /// Mean of the channels.
+    #[must_use]
+    fn mean(self) -> T {
+        let (sum, count) =
+            self.fold((T::lit(0.0), 0.0), |(sum, count), value| (sum + value, count + 1.0));
+        sum * T::lit(1.0 / count)
+    }
+    /// `yes` where the mask is true, `no` elsewhere, in every channel.
+    #[must_use]
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        yes.zip(no, |yes, no| T::select(mask, yes, no))
+    }
+    /// A channel value that does not lie in `lower..=upper`, if there is one.
+    #[must_use]
+    fn outside(self, lower: f64, upper: f64) -> Option<f64> {
+        self.fold(None, |found, value| found.or(value.outside(lower, upper)))
+    }
+}
+
+impl<T: Real> Color<T> for T {
+    type Over<U: Real> = U;
+
+    #[inline(always)]
+    fn splat(value: T) -> Self {
+        value
+    }
+    #[inline(always)]
+    fn map(self, formula: impl Fn(T) -> T) -> Self {
+        formula(self)
+    }
+    #[inline(always)]
+    fn zip(self, other: Self, formula: impl Fn(T, T) -> T) -> Self {
+        formula(self, other)
+    }
+    #[inline(always)]
+    fn lift<U: Real>(self, lift: impl Fn(T) -> U) -> U {
+        lift(self)
+    }
+    #[inline(always)]
+    fn fold<A>(self, start: A, step: impl Fn(A, T) -> A) -> A {
+        step(start, self)
+    }
+}
