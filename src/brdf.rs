@@ -1,0 +1,99 @@
+//! The trait that all reflectance models share.
+
+use alloc::boxed::Box;
+
+use crate::quadrature::integrate;
+use crate::real::{Color, Real};
+
+/// A reflectance model: the ratio f_r of reflected radiance to irradiance, in sr⁻¹.
+///
+/// Directions live in the shading frame (normal +z), are unit vectors and point away from the
+/// surface: `wi` towards the light, `wo` towards the viewer. Where either lies below the surface,
+/// or is no direction at all, every answer is zero. Answers are finite and never negative: a value
+/// too large for its number saturates at the largest finite one.
+///
+/// The trait is object safe:
+///
+/// ```
+/// use brdf::{Brdf, Lambert};
+/// use glam::Vec3;
+///
+/// let scene: Vec<Box<dyn Brdf<Color = Vec3>>> = vec![Box::new(Lambert::new(Vec3::splat(0.5))?)];
+/// assert!((scene[0].eval(Vec3::Z, Vec3::Z).x - 0.5 / std::f32::consts::PI).abs() < 1e-7);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+pub trait Brdf<T: Real = f32>: Send + Sync {
+    /// What a value has channels for: one wavelength, or red, green and blue.
+    type Color: Color<T>;
+
+    /// f_r(wi, wo) in sr⁻¹, without the cosine.
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> Self::Color;
+
+    /// The density per steradian with which [`sample`](Self::sample) returns `wi` for `wo`.
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T;
+
+    /// Draws `wi` for `wo` from two independent uniform numbers in [0, 1).
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, Self::Color>;
+
+    /// Directional albedo ∫ f_r cosθᵢ dωᵢ: the fraction of the light that leaves, if it comes
+    /// from all sides of the viewer's mirror image; for a reciprocal model, the fraction reflected
+    /// of the light that arrives along `wo`.
+    ///
+    /// By default the mean weight of a 48 × 48 Gauss–Legendre grid of samples; models that know
+    /// a closed form use it.
+    fn albedo(&self, wo: T::Vec3) -> Self::Color {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        integrate(zero, one, |u0| integrate(zero, one, |u1| self.sample(wo, [u0, u1]).weight))
+    }
+}
+
+/// A direction drawn by [`Brdf::sample`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample<T: Real, C> {
+    /// Towards the light.
+    pub wi: T::Vec3,
+    /// f_r cosθᵢ / pdf; zero where the draw fell below the surface and gives no direction.
+    pub weight: C,
+    /// Density of `wi` per steradian; zero where the draw gives no direction.
+    pub pdf: T,
+}
+
+impl<T: Real, C: Color<T>> Sample<T, C> {
+    /// The sample where the mask is true, no direction (weight and pdf zero) elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub fn only_where(self, mask: T::Mask) -> Self {
+        let zero = T::lit(0.0);
+        Self {
+            wi: self.wi,
+            weight: C::choose(mask, self.weight, C::splat(zero)),
+            pdf: T::select(mask, self.pdf, zero),
+        }
+    }
+}
+
+macro_rules! forward {
+    ($pointer:ty) => {
+        impl<T: Real, M: Brdf<T> + ?Sized> Brdf<T> for $pointer {
+            type Color = M::Color;
+            #[inline]
+            fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> M::Color {
+                (**self).eval(wi, wo)
+            }
+            #[inline]
+            fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+                (**self).pdf(wi, wo)
+            }
+            #[inline]
+            fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, M::Color> {
+                (**self).sample(wo, u)
+            }
+            #[inline]
+            fn albedo(&self, wo: T::Vec3) -> M::Color {
+                (**self).albedo(wo)
+            }
+        }
+    };
+}
+forward!(Box<M>);
+forward!(&M);

@@ -1,0 +1,77 @@
+use core::f64::consts::FRAC_1_PI;
+
+use crate::brdf::{Brdf, Sample};
+use crate::direction::above_surface;
+use crate::error::ParameterError;
+use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::cosine_hemisphere;
+
+/// Lambert's ideal diffuse surface: equal radiance in all directions.
+///
+/// ```text
+/// f = ρ/π
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | ρ | `albedo` | fraction of the light that is reflected | 0 … 1 |
+///
+/// Reciprocal. Conserving: the directional albedo is ρ at every angle. Sampled with density
+/// cosθ/π, so that every sample has weight ρ.
+///
+/// J. H. Lambert, *Photometria*, 1760.
+///
+/// ```
+/// use brdf::{Brdf, Lambert};
+/// use glam::DVec3;
+///
+/// let paper = Lambert::new(DVec3::new(0.8, 0.8, 0.7))?;
+/// assert_eq!(paper.albedo(DVec3::Z).z, 0.7);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lambert<C = glam::Vec3> {
+    albedo: C,
+}
+
+impl<C> Lambert<C> {
+    /// A diffuse surface of the given albedo.
+    ///
+    /// # Errors
+    /// If a channel of `albedo` is not in 0 … 1.
+    pub fn new<T: Real>(albedo: C) -> Result<Self, ParameterError>
+    where
+        C: Color<T>,
+    {
+        ParameterError::check("albedo", Color::outside(albedo, 0.0, 1.0), 0.0, 1.0)?;
+        Ok(Self { albedo })
+    }
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {
+    type Color = C;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        C::choose(above, self.albedo * T::lit(FRAC_1_PI), C::splat(T::lit(0.0)))
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        let wi = cosine_hemisphere(u);
+        Sample { wi, weight: self.albedo, pdf: wi.z() * T::lit(FRAC_1_PI) }
+            .only_where(above_surface::<T>(wi).and(above_surface::<T>(wo)))
+    }
+
+    #[inline]
+    fn albedo(&self, wo: T::Vec3) -> C {
+        C::choose(above_surface::<T>(wo), self.albedo, C::splat(T::lit(0.0)))
+    }
+}

@@ -1,0 +1,5 @@
+//! Diffuse models: light that leaves in all directions.
+
+mod lambert;
+
+pub use lambert::Lambert;

@@ -1,0 +1,167 @@
+//! Directions: half vector, reflection, refraction, angles.
+//!
+//! Directions are unit vectors that point away from the surface, in the shading frame where the
+//! normal is +z, or in any frame where the normal is given.
+
+use crate::real::{Mask, Real, Vector};
+
+/// A pair of directions above the surface and what the models need of it, computed once.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<T: Real> {
+    /// Towards the light.
+    pub wi: T::Vec3,
+    /// Towards the viewer.
+    pub wo: T::Vec3,
+    /// N·L, the cosine of the angle of incidence.
+    pub cos_i: T,
+    /// N·V, the cosine of the angle of the viewer.
+    pub cos_o: T,
+    /// The half vector (wi + wo)/|wi + wo|.
+    pub h: T::Vec3,
+    /// N·H, the cosine of the tilt of the facet that mirrors `wi` into `wo`.
+    pub cos_h: T,
+    /// V·H = L·H, the cosine of the angle of incidence on that facet.
+    pub cos_d: T,
+    /// Where both directions are directions and lie above the surface. Elsewhere a BRDF is zero.
+    pub above: T::Mask,
+}
+
+impl<T: Real> Pair<T> {
+    /// The geometry of a pair of directions in the shading frame.
+    #[inline(always)]
+    #[must_use]
+    pub fn new(wi: T::Vec3, wo: T::Vec3) -> Self {
+        let (cos_i, cos_o) = (wi.z(), wo.z());
+        let sum = wi + wo;
+        let h = Vector::normalize_or_normal(sum);
+        // |wi + wo| = 2 V·H for unit directions. It is never below its own z, which takes over
+        // where the square of a very short sum is too small to represent.
+        let cos_d = Vector::length_squared(sum).sqrt().max(sum.z()) * T::lit(0.5);
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        Self { wi, wo, cos_i, cos_o, h, cos_h: h.z(), cos_d, above }
+    }
+}
+
+/// Where `w` is a direction above the surface: its z is positive and its squared length lies
+/// between ½ and 2. Lengths further from 1 are taken for mistakes, not for directions.
+#[inline(always)]
+#[must_use]
+pub fn above_surface<T: Real>(w: T::Vec3) -> T::Mask {
+    let length_squared = Vector::length_squared(w);
+    let is_direction = length_squared.ge(T::lit(0.5)).and(length_squared.le(T::lit(2.0)));
+    is_direction.and(w.z().gt(T::lit(0.0)))
+}
+
+/// The mirror direction R = 2N(N·L) − L of a direction that points away from the surface.
+///
+/// ```
+/// use brdf::reflect;
+/// use glam::Vec3;
+///
+/// assert_eq!(reflect(Vec3::new(0.6, 0.0, 0.8), Vec3::Z), Vec3::new(-0.6, 0.0, 0.8));
+/// ```
+#[inline]
+#[must_use]
+pub fn reflect<T: Real, V: Vector<T>>(w: V, normal: V) -> V {
+    normal * (Vector::dot(w, normal) * T::lit(2.0)) - w
+}
+
+/// What [`refract`] answers.
+#[derive(Clone, Copy, Debug)]
+pub struct Refraction<V, M> {
+    /// The refracted direction, pointing away from the surface on the far side; the mirror
+    /// direction where the reflection is total.
+    pub direction: V,
+    /// Where no light is transmitted (Snell's law has no solution).
+    pub total_internal_reflection: M,
+}
+
+/// The refracted direction by Snell's law, sin β / sin α = n₁/n₂.
+///
+/// `w` points away from the surface, `normal` is the unit normal, `eta_above` and `eta_below` are
+/// the indices on the side that the normal points to and on the other; `w` may lie on either.
+/// T = (n₁₂ N·L − √(1 − n₁₂²(1 − (N·L)²))) N − n₁₂ L with N on the side of L and n₁₂ = n₁/n₂.
+///
+/// ```
+/// use brdf::refract;
+/// use glam::DVec3;
+///
+/// let w = DVec3::new(0.5, 0.0, 0.75_f64.sqrt()); // 30°
+/// let into_glass = refract(w, DVec3::Z, 1.0, 1.5);
+/// assert!(into_glass.direction.abs_diff_eq(DVec3::new(-1.0 / 3.0, 0.0, -0.942809041582), 1e-12));
+/// let grazing = DVec3::new(0.9, 0.0, 0.19_f64.sqrt());
+/// assert!(refract(grazing, DVec3::Z, 1.5, 1.0).total_internal_reflection);
+/// ```
+#[inline]
+#[must_use]
+pub fn refract<T: Real, V: Vector<T>>(
+    w: V,
+    normal: V,
+    eta_above: T,
+    eta_below: T,
+) -> Refraction<V, T::Mask> {
+    let zero = T::lit(0.0);
+    let cos = Vector::dot(w, normal);
+    let from_below = cos.lt(zero);
+    let n12 = T::select(from_below, eta_below / eta_above, eta_above / eta_below);
+    let facing = normal * T::select(from_below, T::lit(-1.0), T::lit(1.0));
+    // sin² from the vector product: 1 − cos² has no digits left near the normal.
+    let sin_squared = Vector::length_squared(Vector::cross(w, normal));
+    let cos_t_squared = T::lit(1.0) - n12 * n12 * sin_squared;
+    let total = cos_t_squared.lt(zero);
+    let cos_t = cos_t_squared.max(zero).sqrt();
+    let transmitted = facing * (n12 * cos.abs() - cos_t) - w * n12;
+    Refraction {
+        direction: V::select(total, reflect(w, normal), transmitted),
+        total_internal_reflection: total,
+    }
+}
+
+/// The angle of incidence in radians from which on all light is reflected, sin α = n₂/n₁; π/2
+/// where every angle transmits (n₂ ≥ n₁).
+///
+/// ```
+/// assert!((brdf::critical_angle(1.5, 1.0) - 0.7297276562_f64).abs() < 1e-10);
+/// ```
+#[inline]
+#[must_use]
+pub fn critical_angle<T: Real>(n1: T, n2: T) -> T {
+    (n2 / n1).asin()
+}
+
+/// Brewster's angle in radians, tan α = n₂/n₁, where no light polarised in the plane of
+/// incidence is reflected.
+///
+/// ```
+/// assert!((brdf::brewster_angle(1.0, 1.5) - 0.9827937232_f64).abs() < 1e-10);
+/// ```
+#[inline]
+#[must_use]
+pub fn brewster_angle<T: Real>(n1: T, n2: T) -> T {
+    n2.atan2(n1)
+}
+
+/// The direction at polar angle `theta` from the normal and azimuth `phi` from the tangent, both
+/// in radians.
+///
+/// ```
+/// let w = brdf::from_spherical(0.5_f64, 0.25);
+/// let (theta, phi) = brdf::to_spherical(w);
+/// assert!((theta - 0.5).abs() < 1e-15 && (phi - 0.25).abs() < 1e-15);
+/// ```
+#[inline]
+#[must_use]
+pub fn from_spherical<T: Real>(theta: T, phi: T) -> T::Vec3 {
+    let (sin_theta, cos_theta) = theta.sin_cos();
+    let (sin_phi, cos_phi) = phi.sin_cos();
+    Vector::new(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta)
+}
+
+/// Polar angle in [0, π] and azimuth in (−π, π] of a direction, in radians; exact also close to
+/// the normal. Azimuth 0 at the normal itself.
+#[inline]
+#[must_use]
+pub fn to_spherical<T: Real, V: Vector<T>>(w: V) -> (T, T) {
+    let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
+    (sin.atan2(w.z()), w.y().atan2(w.x()))
+}

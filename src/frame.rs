@@ -1,0 +1,112 @@
+//! The shading frame: world directions into local ones and back.
+
+use crate::real::{Real, Vector};
+
+/// A right-handed orthonormal frame at a surface point; the normal becomes +z.
+///
+/// ```
+/// use brdf::Frame;
+/// use glam::Vec3;
+///
+/// let frame = Frame::from_normal(Vec3::new(0.0, 0.6, 0.8));
+/// let local = frame.to_local(Vec3::new(0.0, 0.6, 0.8));
+/// assert!(local.abs_diff_eq(Vec3::Z, 1e-6));
+/// assert!(frame.to_world(local).abs_diff_eq(Vec3::new(0.0, 0.6, 0.8), 1e-6));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Frame<V> {
+    tangent: V,
+    bitangent: V,
+    normal: V,
+}
+
+impl<V> Frame<V> {
+    /// The frame around a normal, with a tangent that varies smoothly but for the pole −z
+    /// (Duff et al., *Building an Orthonormal Basis, Revisited*, JCGT 6(1), 2017).
+    ///
+    /// The normal is normalised; a vector too short to have a direction counts as +z.
+    #[must_use]
+    pub fn from_normal<T: Real>(normal: V) -> Self
+    where
+        V: Vector<T>,
+    {
+        let one = T::lit(1.0);
+        let n = Vector::normalize_or_normal(normal);
+        let sign = one.copysign(n.z());
+        let a = -one / (sign + n.z());
+        let b = n.x() * n.y() * a;
+        Self {
+            tangent: V::new(one + sign * n.x() * n.x() * a, sign * b, -(sign * n.x())),
+            bitangent: V::new(b, sign + n.y() * n.y() * a, -n.y()),
+            normal: n,
+        }
+    }
+
+    /// The frame around a normal whose tangent is the given one, made perpendicular. Where the
+    /// tangent has no direction across the normal, this is [`from_normal`](Self::from_normal).
+    #[must_use]
+    pub fn from_normal_and_tangent<T: Real>(normal: V, tangent: V) -> Self
+    where
+        V: Vector<T>,
+    {
+        let around = Self::from_normal(normal);
+        let n = around.normal;
+        let t = Vector::normalize_or_normal(tangent);
+        let across = t - n * Vector::dot(t, n);
+        // Below this length rounding, not the tangent, would decide the direction.
+        let usable = Vector::length_squared(across).gt(T::lit(1e-10));
+        let tangent = Vector::normalize_or_normal(V::select(usable, across, around.tangent));
+        Self { tangent, bitangent: Vector::cross(n, tangent), normal: n }
+    }
+
+    /// The unit tangent, local +x.
+    #[must_use]
+    pub const fn tangent(&self) -> V
+    where
+        V: Copy,
+    {
+        self.tangent
+    }
+
+    /// The unit bitangent, local +y.
+    #[must_use]
+    pub const fn bitangent(&self) -> V
+    where
+        V: Copy,
+    {
+        self.bitangent
+    }
+
+    /// The unit normal, local +z.
+    #[must_use]
+    pub const fn normal(&self) -> V
+    where
+        V: Copy,
+    {
+        self.normal
+    }
+
+    /// A world direction in the local frame.
+    #[inline]
+    #[must_use]
+    pub fn to_local<T: Real>(&self, world: V) -> V
+    where
+        V: Vector<T>,
+    {
+        V::new(
+            Vector::dot(world, self.tangent),
+            Vector::dot(world, self.bitangent),
+            Vector::dot(world, self.normal),
+        )
+    }
+
+    /// A local direction in the world.
+    #[inline]
+    #[must_use]
+    pub fn to_world<T: Real>(&self, local: V) -> V
+    where
+        V: Vector<T>,
+    {
+        self.tangent * local.x() + self.bitangent * local.y() + self.normal * local.z()
+    }
+}

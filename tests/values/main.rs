@@ -1,0 +1,6 @@
+//! Every formula against reference values of 50 digits.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod directions;
