@@ -23,15 +23,15 @@ pub struct ParameterError {
 }
 
 impl ParameterError {
-    /// Checks one parameter: `outside` is what [`Real::outside`](crate::Real::outside) found.
+    /// Checks one parameter: `outside` asks it for a value outside the range, as
+    /// [`Real::outside`](crate::Real::outside) does.
     #[inline]
     pub(crate) fn check(
         parameter: &'static str,
-        outside: Option<f64>,
-        lower: f64,
-        upper: f64,
+        (lower, upper): (f64, f64),
+        outside: impl FnOnce(f64, f64) -> Option<f64>,
     ) -> Result<(), Self> {
-        match outside {
+        match outside(lower, upper) {
             None => Ok(()),
             Some(value) => Err(Self { parameter, value, lower, upper }),
         }
@@ -64,3 +64,19 @@ impl fmt::Display for ParameterError {
 }
 
 impl Error for ParameterError {}
+
+/// Ranges of parameters that several models share, both ends included.
+///
+/// The ends are where the squares and fourth powers in the formulas still fit an `f32`.
+pub(crate) mod range {
+    /// Albedo, reflectance.
+    pub(crate) const UNIT: (f64, f64) = (0.0, 1.0);
+    /// Roughness: the root-mean-square slope or its like.
+    pub(crate) const ROUGHNESS: (f64, f64) = (1e-8, 1e4);
+    /// Exponent of a power of a cosine.
+    pub(crate) const EXPONENT: (f64, f64) = (0.0, 1e8);
+    /// Real part of a refractive index.
+    pub(crate) const ETA: (f64, f64) = (1e-4, 1e4);
+    /// Imaginary part of a refractive index.
+    pub(crate) const K: (f64, f64) = (0.0, 1e4);
+}

@@ -2,7 +2,7 @@ use core::f64::consts::FRAC_1_PI;
 
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
-use crate::error::ParameterError;
+use crate::error::{ParameterError, range};
 use crate::real::{Color, Mask, Real, Vector};
 use crate::sampling::cosine_hemisphere;
 
@@ -43,7 +43,7 @@ impl<C> Lambert<C> {
     where
         C: Color<T>,
     {
-        ParameterError::check("albedo", Color::outside(albedo, 0.0, 1.0), 0.0, 1.0)?;
+        ParameterError::check("albedo", range::UNIT, |lower, upper| albedo.outside(lower, upper))?;
         Ok(Self { albedo })
     }
 }
