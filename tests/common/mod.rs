@@ -1,4 +1,7 @@
 //! What several test programs share.
 #![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
 
+pub mod directions;
+pub mod models;
+pub mod traced;
 pub mod values;

@@ -1,0 +1,27 @@
+//! Directions to test with.
+
+use brdf::from_spherical;
+use glam::DVec3;
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+/// `count` pairs above the surface, the same at every call: uniform in the polar angle, so that
+/// normal and grazing directions are both well represented, and a part of them near to mirror
+/// pairs, where narrow lobes live.
+pub fn pairs(count: usize) -> Vec<(DVec3, DVec3)> {
+    let mut rng = Pcg64Mcg::seed_from_u64(0x5eed);
+    let mut uniform = move || rng.random::<f64>();
+    let mut pairs = Vec::with_capacity(count);
+    for index in 0..count {
+        let wo = from_spherical(uniform() * 1.5707, uniform() * 6.2831);
+        let wi = if index % 2 == 0 {
+            from_spherical(uniform() * 1.5707, uniform() * 6.2831)
+        } else {
+            let tilt = DVec3::new(uniform() - 0.5, uniform() - 0.5, uniform() - 0.5) * 0.1;
+            let near = (DVec3::new(-wo.x, -wo.y, wo.z) + tilt).normalize();
+            DVec3::new(near.x, near.y, near.z.abs())
+        };
+        pairs.push((wi, wo));
+    }
+    pairs
+}
