@@ -2,6 +2,8 @@
 
 mod common;
 
+use std::f64::consts::FRAC_PI_2;
+
 use brdf::{Real, Vector, from_spherical};
 use common::models::{self, Entry};
 use glam::Vec3;
@@ -29,7 +31,7 @@ fn awkward_numbers() -> impl Strategy<Value = f64> {
 /// A direction: mostly above the surface, often grazing or close to the normal, sometimes no unit
 /// vector at all.
 fn directions() -> impl Strategy<Value = [f64; 3]> {
-    let unit = (0.0..1.5708_f64, -3.2..3.2_f64).prop_map(|(t, p)| from_spherical(t, p).to_array());
+    let unit = (0.0..FRAC_PI_2, -3.2..3.2_f64).prop_map(|(t, p)| from_spherical(t, p).to_array());
     let grazing = (prop::sample::select(AWKWARD.to_vec()), -3.2..3.2_f64)
         .prop_map(|(z, phi): (f64, f64)| [phi.cos(), phi.sin(), z]);
     let near_normal = (-1e-4..1e-4_f64, -1e-4..1e-4_f64).prop_map(|(x, y)| [x, y, 1.0]);

@@ -1,5 +1,7 @@
 //! Directions to test with.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
 use brdf::from_spherical;
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
@@ -13,9 +15,9 @@ pub fn pairs(count: usize) -> Vec<(DVec3, DVec3)> {
     let mut uniform = move || rng.random::<f64>();
     let mut pairs = Vec::with_capacity(count);
     for index in 0..count {
-        let wo = from_spherical(uniform() * 1.5707, uniform() * 6.2831);
+        let wo = from_spherical(uniform() * FRAC_PI_2, uniform() * TAU);
         let wi = if index % 2 == 0 {
-            from_spherical(uniform() * 1.5707, uniform() * 6.2831)
+            from_spherical(uniform() * FRAC_PI_2, uniform() * TAU)
         } else {
             let tilt = DVec3::new(uniform() - 0.5, uniform() - 0.5, uniform() - 0.5) * 0.1;
             let near = (DVec3::new(-wo.x, -wo.y, wo.z) + tilt).normalize();
