@@ -32,11 +32,16 @@ impl<T: Real> Pair<T> {
     #[must_use]
     pub fn new(wi: T::Vec3, wo: T::Vec3) -> Self {
         let (cos_i, cos_o) = (wi.z(), wo.z());
+        // One square root serves h and V·H, since |wi + wo| = 2 V·H for unit directions. A sum too
+        // short for its square to be represented is along the normal to all digits: then x and y
+        // cancelled, and z took no part in that.
         let sum = wi + wo;
-        let h = Vector::normalize_or_normal(sum);
-        // |wi + wo| = 2 V·H for unit directions. It is never below its own z, which takes over
-        // where the square of a very short sum is too small to represent.
-        let cos_d = Vector::length_squared(sum).sqrt().max(sum.z()) * T::lit(0.5);
+        let length_squared = Vector::length_squared(sum);
+        let usable = length_squared.gt(T::lit(1e-37));
+        let length = T::select(usable, length_squared, T::lit(1.0)).sqrt();
+        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+        let h = <T::Vec3 as Vector<T>>::select(usable, sum * (T::lit(1.0) / length), normal);
+        let cos_d = T::select(usable, length, sum.z()) * T::lit(0.5);
         let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
         Self { wi, wo, cos_i, cos_o, h, cos_h: h.z(), cos_d, above }
     }
