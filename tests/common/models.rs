@@ -51,5 +51,6 @@ fn rgb<T: Real>(r: f64, g: f64, b: f64) -> T::Vec3 {
 }
 
 fn build<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
+    let (lit, rgb) = (lit::<T>, rgb::<T>);
     Ok(vec![Entry::new("Lambert", Lambert::new(rgb(0.8, 0.5, 0.2))?)])
 }
