@@ -28,5 +28,5 @@ pub use direction::{
 pub use error::ParameterError;
 pub use frame::Frame;
 pub use fresnel::Fresnel;
-pub use microfacet::{Distribution, Shadowing, Smith};
+pub use microfacet::{Beckmann, Distribution, Ggx, Shadowing, Smith};
 pub use real::{Color, Lanes, Mask, Real, Vector, Vector3};

@@ -4,3 +4,4 @@
 mod common;
 
 mod directions;
+mod distributions;

@@ -1,0 +1,107 @@
+use super::distribution::{Distribution, Smith};
+use super::normal_slopes::{ierfc, slopes, visible_slopes};
+use super::roughness::Roughness;
+use crate::error::ParameterError;
+use crate::real::{Real, Vector};
+
+/// Beckmann's distribution: facets of a surface whose slopes are normally distributed.
+///
+/// ```text
+/// D = exp(−(h_x²/a_x² + h_y²/a_y²)/h_z²) / (π a_x a_y h_z⁴)
+/// Λ = (exp(−ν²)/(ν√π) − erfc ν)/2,  ν = w_z / √(a_x² w_x² + a_y² w_y²)
+/// ```
+///
+/// With equal roughness m, D = exp(−tan²α/m²)/(π m² cos⁴α), α the angle between h and the normal.
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | a_x, a_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent: √2 times the root-mean-square slope | 10⁻⁸ … 10⁴ |
+///
+/// Normalised, ∫ D cosα dω = 1. The peak 1/(π m²) lies at the normal for m ≤ 1/√2, beyond that on
+/// the ring cos²α = 1/(2m²). Roughness to 0 makes a mirror.
+///
+/// Two printed forms differ by a constant: the form in Cook and Torrance 1982, exp(−tan²α/m²)/(m²
+/// cos⁴α), is π times this one, the form exp(−tan²α/m²)/(4 m² cos⁴α) is π/4 times this one. Neither
+/// is normalised.
+///
+/// P. Beckmann, A. Spizzichino, *The Scattering of Electromagnetic Waves from Rough Surfaces*,
+/// 1963. R. L. Cook, K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1),
+/// 1982, [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293).
+/// Λ: B. G. Smith, "Geometrical shadowing of a random rough surface", IEEE Trans. AP 15, 1967,
+/// [doi:10.1109/TAP.1967.1138991](https://doi.org/10.1109/TAP.1967.1138991), in the form of B. Walter
+/// et al., EGSR 2007, without their rational fit. Visible normals: E. Heitz, E. d'Eon, "Importance
+/// sampling microfacet-based BSDFs using the distribution of visible normals", EGSR 2014,
+/// [doi:10.1111/cgf.12417](https://doi.org/10.1111/cgf.12417).
+///
+/// ```
+/// use brdf::{Beckmann, Distribution};
+/// use glam::DVec3;
+///
+/// let beckmann = Beckmann::new(0.5)?;
+/// assert!((beckmann.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π m²)
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beckmann<T = f32> {
+    roughness: Roughness<T>,
+}
+
+impl<T: Real> Beckmann<T> {
+    /// The distribution of a surface that is equally rough in all directions.
+    ///
+    /// # Errors
+    /// If `roughness` is not in 10⁻⁸ … 10⁴.
+    pub fn new(roughness: T) -> Result<Self, ParameterError> {
+        Ok(Self { roughness: Roughness::isotropic(roughness)? })
+    }
+
+    /// The distribution of a surface with grain: roughness along the tangent and the bitangent.
+    ///
+    /// # Errors
+    /// If `along_x` or `along_y` is not in 10⁻⁸ … 10⁴.
+    pub fn anisotropic(along_x: T, along_y: T) -> Result<Self, ParameterError> {
+        Ok(Self { roughness: Roughness::anisotropic(along_x, along_y)? })
+    }
+
+    /// Roughness along the tangent and the bitangent.
+    #[must_use]
+    pub fn roughness(&self) -> [T; 2] {
+        self.roughness.along()
+    }
+}
+
+impl<T: Real> Distribution<T> for Beckmann<T> {
+    #[inline]
+    fn density(&self, h: T::Vec3) -> T {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        // Below 10⁻⁸ the density of any allowed roughness is less than exp(−10⁸): zero.
+        let above = h.z().gt(T::lit(1e-8));
+        let inverse_cos = one / T::select(above, h.z(), one);
+        // From 10⁴ on the exponential is zero in every number; the bound keeps it from infinity.
+        let exponent = (self.roughness.tilt_squared(h * inverse_cos)).min(T::lit(1e4));
+        let density = (-exponent).exp() * inverse_cos.powi(4) * self.roughness.peak();
+        T::select(above, density.min(T::max_finite()), zero)
+    }
+
+    #[inline]
+    fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        let (x, y) = slopes(u);
+        self.roughness.unstretch(x, y, T::lit(1.0))
+    }
+}
+
+impl<T: Real> Smith<T> for Beckmann<T> {
+    #[inline]
+    fn lambda_cos(&self, w: T::Vec3) -> T {
+        let cos = w.z().max(T::lit(0.0));
+        // The least square of an f32 that is still precise. Where it takes over, Λ is zero.
+        let spread = self.roughness.spread_squared(w).max(T::lit(1e-36)).sqrt();
+        (T::lit(0.5) * spread * ierfc(cos / spread)).min(T::max_finite())
+    }
+
+    #[inline]
+    fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        let (x, y) = visible_slopes::<T>(self.roughness.stretch(wo), u);
+        self.roughness.unstretch(-x, -y, T::lit(1.0))
+    }
+}

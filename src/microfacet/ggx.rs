@@ -1,0 +1,117 @@
+use core::f64::consts::TAU;
+
+use super::distribution::{Distribution, Smith};
+use super::roughness::Roughness;
+use crate::error::ParameterError;
+use crate::real::{Real, Vector};
+
+/// GGX, the distribution of Trowbridge and Reitz: the facets of an ellipsoid.
+///
+/// ```text
+/// D = 1 / (π a_x a_y (h_x²/a_x² + h_y²/a_y² + h_z²)²)
+/// Λ = (√(1 + (a_x² w_x² + a_y² w_y²)/w_z²) − 1)/2
+/// ```
+///
+/// With equal roughness D = a²/(π ((a² − 1) cos²α + 1)²), α the angle between h and the normal.
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | a_x, a_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent | 10⁻⁸ … 10⁴ |
+///
+/// Normalised, ∫ D cosα dω = 1. The tails are long: the variance of the slopes is infinite.
+/// Roughness 1 makes D = 1/π at all angles; roughness to 0 makes a mirror.
+///
+/// Visible normals are drawn with spherical caps: in the space stretched to roughness 1, the sum
+/// of the viewer's direction and a uniform point of the cap z > −s_z.
+///
+/// T. S. Trowbridge, K. P. Reitz, "Average irregularity representation of a rough surface for ray
+/// reflection", JOSA 65, 1975, [doi:10.1364/JOSA.65.000531](https://doi.org/10.1364/JOSA.65.000531).
+/// B. Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 33.
+/// J. Dupuy, A. Benyoub, "Sampling visible GGX normals with spherical caps", HPG 2023,
+/// [doi:10.1111/cgf.14867](https://doi.org/10.1111/cgf.14867).
+///
+/// ```
+/// use brdf::{Distribution, Ggx};
+/// use glam::DVec3;
+///
+/// let ggx = Ggx::new(0.5)?;
+/// assert!((ggx.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π a²)
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ggx<T = f32> {
+    roughness: Roughness<T>,
+}
+
+impl<T: Real> Ggx<T> {
+    /// The distribution of a surface that is equally rough in all directions.
+    ///
+    /// # Errors
+    /// If `roughness` is not in 10⁻⁸ … 10⁴.
+    pub fn new(roughness: T) -> Result<Self, ParameterError> {
+        Ok(Self { roughness: Roughness::isotropic(roughness)? })
+    }
+
+    /// The distribution of a surface with grain: roughness along the tangent and the bitangent.
+    ///
+    /// # Errors
+    /// If `along_x` or `along_y` is not in 10⁻⁸ … 10⁴.
+    pub fn anisotropic(along_x: T, along_y: T) -> Result<Self, ParameterError> {
+        Ok(Self { roughness: Roughness::anisotropic(along_x, along_y)? })
+    }
+
+    /// Roughness along the tangent and the bitangent.
+    #[must_use]
+    pub fn roughness(&self) -> [T; 2] {
+        self.roughness.along()
+    }
+}
+
+impl<T: Real> Distribution<T> for Ggx<T> {
+    #[inline]
+    fn density(&self, h: T::Vec3) -> T {
+        let zero = T::lit(0.0);
+        let above = h.z().gt(zero);
+        let stretched = self.roughness.tilt_squared(h) + h.z().squared();
+        let usable = T::select(above, stretched, T::lit(1.0));
+        let density = (self.roughness.peak() / usable.squared()).min(T::max_finite());
+        T::select(above, density, zero)
+    }
+
+    #[inline]
+    fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        // tan²θ = u₀/(1 − u₀) in the space of roughness 1: slope sinθ over cosθ.
+        let sin = u[0].max(zero).sqrt();
+        let cos = (one - u[0]).max(zero).sqrt();
+        let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
+        self.roughness.unstretch(sin * cos_phi, sin * sin_phi, cos)
+    }
+}
+
+impl<T: Real> Smith<T> for Ggx<T> {
+    #[inline]
+    fn lambda_cos(&self, w: T::Vec3) -> T {
+        let cos = w.z().max(T::lit(0.0));
+        let spread_squared = self.roughness.spread_squared(w);
+        // (√(cos² + s²) − cos)/2 without the difference. The sum is at least 10⁻⁸ for a direction;
+        // its lower bound only keeps the zero vector from dividing 0 by 0.
+        let sum = ((cos.squared() + spread_squared).sqrt() + cos).max(T::lit(1e-30));
+        (T::lit(0.5) * spread_squared / sum).min(T::max_finite())
+    }
+
+    #[inline]
+    fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let s = self.roughness.stretch(wo);
+        // The cap is 1 + s_z high. Both 1 − z and 1 + z of its uniform point are sums of positive
+        // terms, so that 1 − z² keeps its digits near the poles.
+        let height = one + s.z();
+        let one_minus_s_z = (s.x().squared() + s.y().squared()) / height;
+        let below_top = u[1].max(zero) * height;
+        let above_rim = (one - u[1]).max(zero) * height;
+        let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();
+        let (sin_phi, cos_phi) = (u[0] * T::lit(TAU)).sin_cos();
+        self.roughness.unstretch(sin * cos_phi + s.x(), sin * sin_phi + s.y(), above_rim)
+    }
+}

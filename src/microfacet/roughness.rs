@@ -1,0 +1,79 @@
+//! Roughness along the tangent and the bitangent, and what distributions of stretched slopes make
+//! of it.
+
+use core::f64::consts::PI;
+
+use crate::direction::above_surface;
+use crate::error::{ParameterError, range};
+use crate::real::{Real, Vector};
+
+/// Roughness along x and y with the quantities that formulas need, computed once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Roughness<T> {
+    along: [T; 2],
+    inverse: [T; 2],
+    /// 1/(π a_x a_y): the density of slopes at slope 0.
+    peak: T,
+}
+
+impl<T: Real> Roughness<T> {
+    pub(super) fn isotropic(roughness: T) -> Result<Self, ParameterError> {
+        check("roughness", roughness)?;
+        Ok(Self::of([roughness, roughness]))
+    }
+
+    pub(super) fn anisotropic(along_x: T, along_y: T) -> Result<Self, ParameterError> {
+        check("along_x", along_x)?;
+        check("along_y", along_y)?;
+        Ok(Self::of([along_x, along_y]))
+    }
+
+    fn of(along: [T; 2]) -> Self {
+        let one = T::lit(1.0);
+        let inverse = [one / along[0], one / along[1]];
+        Self { along, inverse, peak: one / (T::lit(PI) * along[0] * along[1]) }
+    }
+
+    pub(super) fn along(&self) -> [T; 2] {
+        self.along
+    }
+
+    #[inline(always)]
+    pub(super) fn peak(&self) -> T {
+        self.peak
+    }
+
+    /// (h_x/a_x)² + (h_y/a_y)².
+    #[inline(always)]
+    pub(super) fn tilt_squared(&self, h: T::Vec3) -> T {
+        (h.x() * self.inverse[0]).squared() + (h.y() * self.inverse[1]).squared()
+    }
+
+    /// (a_x w_x)² + (a_y w_y)²: sin²θ times the squared roughness in the plane of `w`.
+    #[inline(always)]
+    pub(super) fn spread_squared(&self, w: T::Vec3) -> T {
+        (w.x() * self.along[0]).squared() + (w.y() * self.along[1]).squared()
+    }
+
+    /// The direction above the surface as it is seen after the surface has been stretched to
+    /// roughness 1. What is no direction above the surface counts as the normal.
+    #[inline(always)]
+    pub(super) fn stretch(&self, w: T::Vec3) -> T::Vec3 {
+        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+        let w: T::Vec3 = Vector::select(above_surface::<T>(w), w, normal);
+        let stretched: T::Vec3 = Vector::new(w.x() * self.along[0], w.y() * self.along[1], w.z());
+        Vector::normalize_or_normal(stretched)
+    }
+
+    /// The unit normal of this surface that (x, y, z) becomes when the surface of roughness 1 is
+    /// pressed back to its own roughness.
+    #[inline(always)]
+    pub(super) fn unstretch(&self, x: T, y: T, z: T) -> T::Vec3 {
+        let normal: T::Vec3 = Vector::new(x * self.along[0], y * self.along[1], z);
+        Vector::normalize_or_normal(normal)
+    }
+}
+
+fn check<T: Real>(name: &'static str, value: T) -> Result<(), ParameterError> {
+    ParameterError::check(name, range::ROUGHNESS, |lower, upper| value.outside(lower, upper))
+}
