@@ -1,5 +1,6 @@
 //! `f32` and `f64` as numbers.
 
+use super::math;
 use super::traits::{Mask, Real};
 
 impl Mask for bool {
@@ -17,8 +18,26 @@ impl Mask for bool {
     }
 }
 
+macro_rules! functions {
+    ($precision:ident: $($function:ident)*) => {$(
+        #[inline(always)]
+        fn $function(self) -> Self {
+            math::$precision::$function(self)
+        }
+    )*};
+}
+
+macro_rules! functions_of_two {
+    ($precision:ident: $($function:ident)*) => {$(
+        #[inline(always)]
+        fn $function(self, other: Self) -> Self {
+            math::$precision::$function(self, other)
+        }
+    )*};
+}
+
 macro_rules! float {
-    ($float:ident, $vector:ty, $sqrt:path) => {
+    ($float:ident, $vector:ty, $precision:ident) => {
         impl Real for $float {
             type Mask = bool;
             type Vec3 = $vector;
@@ -58,68 +77,15 @@ macro_rules! float {
                 Self::copysign(self, sign)
             }
             #[inline(always)]
-            fn floor(self) -> Self {
-                Self::floor(self)
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                $sqrt(self)
-            }
-            #[inline(always)]
-            fn exp(self) -> Self {
-                Self::exp(self)
-            }
-            #[inline(always)]
-            fn exp_m1(self) -> Self {
-                Self::exp_m1(self)
-            }
-            #[inline(always)]
-            fn ln(self) -> Self {
-                Self::ln(self)
-            }
-            #[inline(always)]
-            fn ln_1p(self) -> Self {
-                Self::ln_1p(self)
-            }
-            #[inline(always)]
-            fn powf(self, exponent: Self) -> Self {
-                Self::powf(self, exponent)
-            }
-            #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
-                Self::sin_cos(self)
+                math::$precision::sin_cos(self)
             }
-            #[inline(always)]
-            fn tan(self) -> Self {
-                Self::tan(self)
-            }
-            #[inline(always)]
-            fn asin(self) -> Self {
-                Self::asin(self.clamp(-1.0, 1.0))
-            }
-            #[inline(always)]
-            fn acos(self) -> Self {
-                Self::acos(self.clamp(-1.0, 1.0))
-            }
-            #[inline(always)]
-            fn atan2(self, other: Self) -> Self {
-                Self::atan2(self, other)
-            }
-            #[inline(always)]
-            fn erf(self) -> Self {
-                self
-            }
-            #[inline(always)]
-            fn erfc(self) -> Self {
-                self
-            }
-            #[inline(always)]
-            fn erf_inv(self) -> Self {
-                self
-            }
+
+            functions!($precision: floor sqrt exp exp_m1 ln ln_1p tan asin acos erf erfc erf_inv);
+            functions_of_two!($precision: powf atan2);
         }
     };
 }
 
-float!(f32, glam::Vec3, f32::sqrt);
-float!(f64, glam::DVec3, f64::sqrt);
+float!(f32, glam::Vec3, single);
+float!(f64, glam::DVec3, double);

@@ -2,6 +2,7 @@
 
 mod float;
 mod lanes;
+mod math;
 mod traits;
 mod vector3;
 

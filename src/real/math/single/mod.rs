@@ -1,0 +1,54 @@
+//! The elementary functions of `f32`.
+//!
+//! Arithmetic is `f32` where 1.5 units in the last place can be had that way, and `f64` inside
+//! where a formula would lose more: powers, tangent, arc sine, error functions.
+
+mod arc;
+mod error_function;
+mod exponential;
+mod logarithm;
+mod trigonometric;
+
+pub(in crate::real) use arc::{acos, asin, atan2};
+pub(in crate::real) use error_function::{erf, erf_inv, erfc};
+pub(in crate::real) use exponential::{exp, exp_m1};
+pub(in crate::real) use logarithm::{ln, ln_1p, powf};
+pub(in crate::real) use trigonometric::{sin_cos, tan};
+
+/// 1.5·2²³: a number below 2²² added to it is rounded to an integer, which then stands in the low
+/// bits of the sum.
+const ROUND: f32 = 12582912.0;
+/// The same for `f64`: 1.5·2⁵².
+const ROUND_WIDE: f64 = 6755399441055744.0;
+
+/// Square root, correctly rounded.
+#[inline(always)]
+pub(in crate::real) fn sqrt(x: f32) -> f32 {
+    #[cfg(feature = "std")]
+    return x.sqrt();
+    #[cfg(not(feature = "std"))]
+    return libm::sqrtf(x);
+}
+
+/// The largest integer not above.
+#[inline(always)]
+pub(in crate::real) fn floor(x: f32) -> f32 {
+    const WHOLE: f32 = 8388608.0; // 2²³: from here on every number is an integer
+    let shift = WHOLE.copysign(x);
+    let nearest = (x + shift) - shift;
+    let below = if nearest > x { nearest - 1.0 } else { nearest };
+    if x.abs() < WHOLE { below.copysign(x) } else { x }
+}
+
+/// 2ᵉ to 2⁻²⁹ of its size, for |e| ≤ 1000.
+#[inline(always)]
+fn exp2_wide(e: f64) -> f64 {
+    let shifted = e + ROUND_WIDE;
+    let r = e - (shifted - ROUND_WIDE);
+    let power = shifted.to_bits().wrapping_sub(ROUND_WIDE.to_bits() - 1023);
+    polynomial!(
+        r;
+        1.0000000005631373, 0.6931472060362519, 0.24022646844074738, 0.05550328125060941,
+        0.00961849192484846, 0.0013400195169349755, 0.00015345559383835014
+    ) * f64::from_bits(power << 52)
+}

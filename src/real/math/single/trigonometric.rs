@@ -1,0 +1,68 @@
+//! Sine, cosine, tangent: x = n π/2 + r with |r| ≤ π/4, polynomials in r², and the quadrant n.
+
+use super::{ROUND, ROUND_WIDE};
+
+/// A little more than π/4: how far n, rounded from x·2/π in `f32`, leaves r for |x| ≤ 10⁴.
+const LIMIT: f32 = 0.7865;
+
+/// The angle in −π/4..π/4, what it lacks, and the number of quarter turns, in the low two bits.
+///
+/// π/2 comes in parts of up to 11 bits, whose products with n are exact up to |x| = 10⁴. Beyond,
+/// the angle loses its meaning by and by but stays in its range.
+#[inline(always)]
+fn reduce(x: f32) -> (f32, f32, u32) {
+    let shifted = x * core::f32::consts::FRAC_2_PI + ROUND;
+    let n = shifted - ROUND;
+    let (high, low) = ((x - n * 1.5703125) - n * 0.0004837513, n * 7.5495336e-8);
+    let r = high - low;
+    let rest = ((high - r) - low) - n * 2.563344e-12;
+    let rest = if r.abs() > LIMIT { 0.0 } else { rest };
+    let r = if r > LIMIT { LIMIT } else { r };
+    let r = if r < -LIMIT { -LIMIT } else { r };
+    (r, rest, shifted.to_bits())
+}
+
+#[inline(always)]
+pub(in crate::real) fn sin_cos(x: f32) -> (f32, f32) {
+    let (r, rest, quadrant) = reduce(x);
+    let z = r * r;
+    let sin = r + (rest + r * z * polynomial!(z; -0.16666655, 0.008332187, -0.00019517838));
+    let tail = z * z * polynomial!(z; 0.041666646, -0.001388731, 2.4432322e-5);
+    let cos = 1.0 - (0.5 * z - (tail - r * rest));
+    let swap = quadrant & 1 == 1;
+    let (sin, cos) = (if swap { cos } else { sin }, if swap { sin } else { cos });
+    let sin_sign = (quadrant & 2) << 30;
+    let cos_sign = (quadrant.wrapping_add(1) & 2) << 30;
+    (f32::from_bits(sin.to_bits() ^ sin_sign), f32::from_bits(cos.to_bits() ^ cos_sign))
+}
+
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "the one rounding of the result")]
+pub(in crate::real) fn tan(x: f32) -> f32 {
+    let x = f64::from(x);
+    let shifted = x * core::f64::consts::FRAC_2_PI + ROUND_WIDE;
+    let n = shifted - ROUND_WIDE;
+    let r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11;
+    let limit = f64::from(LIMIT);
+    let r = if r > limit { limit } else { r };
+    let r = if r < -limit { -limit } else { r };
+    let z = r * r;
+    let sin = r + r
+        * z
+        * polynomial!(
+            z;
+            -0.16666666640588118, 0.008333329280517292, -0.00019839304413983198,
+            2.7180464615829433e-6
+        );
+    let cos = 1.0
+        - (0.5 * z
+            - z * z
+                * polynomial!(
+                    z;
+                    0.041666645554656226, -0.0013887309875643776, 2.443241392208045e-5
+                ));
+    let odd = shifted.to_bits() & 1 == 1;
+    let numerator = if odd { -cos } else { sin };
+    let denominator = if odd { sin } else { cos };
+    (numerator / denominator) as f32
+}
