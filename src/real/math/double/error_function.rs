@@ -66,7 +66,8 @@ fn magnitude(x: f64) -> f64 {
 #[inline(always)]
 pub(in crate::real) fn erf(x: f64) -> f64 {
     let a = magnitude(x);
-    (if a < SWITCH { central(a) } else { 1.0 - tail(a).0 }).copysign(x)
+    let (inner, outer) = (central(a), 1.0 - tail(a).0);
+    (if a < SWITCH { inner } else { outer }).copysign(x)
 }
 
 #[inline(always)]
@@ -99,7 +100,8 @@ pub(in crate::real) fn erf_inv(x: f64) -> f64 {
     );
     let y = a * if w < 5.0 { inner } else { outer };
     let (complement, exponential) = tail(y);
-    let excess = if y < SWITCH { central(y) - a } else { (1.0 - a) - complement };
+    let (excess, outer_excess) = (central(y) - a, (1.0 - a) - complement);
+    let excess = if y < SWITCH { excess } else { outer_excess };
     // Newton's step is excess/erf′; Halley's divides it by 1 + y·step, as erf″/erf′ = −2y.
     let step = excess / (core::f64::consts::FRAC_2_SQRT_PI * exponential);
     (y - step / (1.0 + y * step)).copysign(x)

@@ -41,7 +41,8 @@ fn magnitude(x: f32) -> f64 {
 #[allow(clippy::cast_possible_truncation, reason = "the one rounding of the result")]
 pub(in crate::real) fn erf(x: f32) -> f32 {
     let a = magnitude(x);
-    let y = if a < SWITCH { central(a) } else { 1.0 - tail(a) };
+    let (inner, outer) = (central(a), 1.0 - tail(a));
+    let y = if a < SWITCH { inner } else { outer };
     (y as f32).copysign(x)
 }
 
