@@ -28,5 +28,8 @@ pub use direction::{
 pub use error::ParameterError;
 pub use frame::Frame;
 pub use fresnel::Fresnel;
-pub use microfacet::{Beckmann, Distribution, Ggx, Shadowing, Smith};
+pub use microfacet::{
+    Beckmann, CookTorrance, Distribution, Ggx, Shadowing, Smith, SmithCorrelated, SmithSeparable,
+    VCavity,
+};
 pub use real::{Color, Lanes, Mask, Real, Vector, Vector3};

@@ -10,6 +10,10 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     fn density(&self, h: T::Vec3) -> T;
 
     /// Draws `h` with density D(h) (N·h) from two uniform numbers in [0, 1).
+    ///
+    /// The first number decides the slopes s_x and s_y, the second is the azimuth:
+    /// (h_x, h_y)/h_z = (s_x cos 2πu₁, s_y sin 2πu₁). [`VCavity`](crate::VCavity) draws visible
+    /// normals of any distribution by this.
     fn sample(&self, u: [T; 2]) -> T::Vec3;
 }
 

@@ -5,15 +5,24 @@ use crate::real::Real;
 
 /// The fraction of facets that are neither shadowed from the light nor masked from the viewer,
 /// for a surface whose facets are distributed as `D`.
+///
+/// G(wi, wo, h) is that fraction for a pair of directions, G₁(w, h) the fraction that is not
+/// hidden from `w` alone. Every answer is one quantity without a quotient of two vanishing ones,
+/// finite also where the cosines and G go to zero together. The geometry of a [`Pair`] must have
+/// `wo` above the surface; [`masking`](Self::masking) does not ask where `wi` is.
 pub trait Shadowing<T: Real, D>: Send + Sync {
-    /// G(wi, wo) / (4 (N·wi) (N·wo)), one quantity because it stays finite where G and the
-    /// cosines vanish together.
+    /// G(wi, wo, h) / (4 (N·wi) (N·wo)): times D and F it is the BRDF.
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T;
 
-    /// G₁(w, h) / (4 (N·w)): the same for one direction. Times D(h) it is the density with which
-    /// [`sample_visible`](Self::sample_visible) makes `w` reflect.
-    fn masking(&self, distribution: &D, w: T::Vec3, h: T::Vec3) -> T;
+    /// G₁(wo, h) / (4 (N·wo)): times D it is the density per steradian of `wi`, the mirror image
+    /// of `wo` in a normal that [`sample_visible`](Self::sample_visible) draws.
+    fn masking(&self, distribution: &D, pair: &Pair<T>) -> T;
 
-    /// Draws `h` with the density of the normals visible from `wo`, G₁(wo, h) (wo·h) D(h) / (N·wo).
+    /// G(wi, wo, h) / G₁(wo, h), in 0 … 1: of the facets that the viewer sees, the fraction that
+    /// the light reaches. Times F it is the weight of a sample.
+    fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T;
+
+    /// Draws `h` with the density of the normals visible from a direction `wo` above the surface,
+    /// G₁(wo, h) (wo·h)₊ D(h) / (N·wo).
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 }

@@ -1,0 +1,158 @@
+use super::distribution::Distribution;
+use super::shadowing::Shadowing;
+use super::v_cavity::VCavity;
+use crate::brdf::{Brdf, Sample};
+use crate::direction::{Pair, above_surface, reflect};
+use crate::fresnel::Fresnel;
+use crate::real::{Real, Vector};
+
+/// The microfacet model: a surface of small mirrors.
+///
+/// ```text
+/// f = F(V·H) D(H) G / (4 (N·L) (N·V))
+/// ```
+///
+/// | symbol | part | meaning |
+/// |---|---|---|
+/// | D | `distribution` | density of the facets' normals, normalised to ∫ D cosα dω = 1 |
+/// | F | `fresnel` | reflectance of a facet |
+/// | G | `shadowing` | fraction of facets that light and viewer both see: [`VCavity`] if nothing else is said, [`SmithCorrelated`](crate::SmithCorrelated), [`SmithSeparable`](crate::SmithSeparable) |
+///
+/// Reciprocal, to the last bit. Conserving: with F = 1 the directional albedo is at most 1; what
+/// is missing is light that a real surface reflects more than once. Measured with F = 1 at 0°,
+/// 60°, 80°, 89.9°: V-cavity with Beckmann's distribution 1.000, 0.999, 0.942, 0.998 at roughness
+/// 0.1 and 0.605, 0.839, 0.949, 0.9995 at 0.8; Smith's with GGX 0.307, 0.451, 0.668, 0.989 at
+/// roughness 1.
+///
+/// Sampled by visible normals: the density of a sample is G₁(V) D/(4 N·V) and its weight
+/// F G/G₁(V), never above F.
+///
+/// # The constants of the literature
+/// The form F D G/(π (N·L)(N·V)) with D = exp(−tan²α/m²)/(4 m² cos⁴α) is the same as this one with
+/// the normalised [`Beckmann`](crate::Beckmann), D = exp(−tan²α/m²)/(π m² cos⁴α): the 4 and the π
+/// change places. Cook and Torrance print D without the 4, which makes their surface four times
+/// too bright: [`CookTorrance1982Printed`](crate::CookTorrance1982Printed). It is a BRDF, although
+/// it is often called an intensity.
+///
+/// # Limits
+/// One reflection, no interreflection, no diffraction. Where the lobe is narrower than the
+/// rounding of the directions (roughness below about 10⁻⁶ in `f32`) a sample keeps its weight but
+/// its density is that of the rounded direction.
+///
+/// R. L. Cook, K. E. Torrance, "A reflectance model for computer graphics", ACM TOG 1(1), 1982,
+/// [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293);
+/// K. E. Torrance, E. M. Sparrow, JOSA 57, 1967,
+/// [doi:10.1364/JOSA.57.001105](https://doi.org/10.1364/JOSA.57.001105).
+///
+/// ```
+/// use brdf::{Beckmann, Brdf, Conductor, CookTorrance};
+/// use glam::Vec3;
+///
+/// let gold = CookTorrance::new(
+///     Beckmann::new(0.3)?,
+///     Conductor::new(Vec3::new(0.14, 0.43, 1.38), Vec3::new(3.697, 2.455, 1.914))?,
+/// );
+/// let f = gold.eval(Vec3::Z, Vec3::Z);
+/// assert!((f.x - 0.851106).abs() < 1e-5); // F D/4 = 0.962586 · 3.536777/4
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CookTorrance<D, F, S = VCavity> {
+    distribution: D,
+    fresnel: F,
+    shadowing: S,
+}
+
+impl<D, F> CookTorrance<D, F> {
+    /// A surface with these normals and this reflectance, with V-cavity shadowing.
+    pub const fn new(distribution: D, fresnel: F) -> Self {
+        Self { distribution, fresnel, shadowing: VCavity }
+    }
+}
+
+impl<D, F, S> CookTorrance<D, F, S> {
+    /// The same surface with another shadowing.
+    ///
+    /// ```
+    /// use brdf::{Brdf, Constant, CookTorrance, Ggx, SmithCorrelated};
+    /// use glam::DVec3;
+    ///
+    /// let mirrors = CookTorrance::new(Ggx::new(1.0)?, Constant::new(DVec3::ONE)?)
+    ///     .with_shadowing(SmithCorrelated);
+    /// let lost = 1.0 - mirrors.albedo(DVec3::Z).x;
+    /// assert!((lost - 2.0_f64.ln()).abs() < 1e-4);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub fn with_shadowing<G>(self, shadowing: G) -> CookTorrance<D, F, G> {
+        CookTorrance { distribution: self.distribution, fresnel: self.fresnel, shadowing }
+    }
+
+    /// The distribution of the facets' normals.
+    pub const fn distribution(&self) -> &D {
+        &self.distribution
+    }
+
+    /// The reflectance of a facet.
+    pub const fn fresnel(&self) -> &F {
+        &self.fresnel
+    }
+
+    /// The reflectance at the facet that mirrors one direction of the pair into the other. The
+    /// cosine of a pair exceeds 1 by the rounding of the directions' lengths.
+    #[inline(always)]
+    fn reflectance<T: Real>(&self, pair: &Pair<T>) -> F::Color
+    where
+        F: Fresnel<T>,
+    {
+        self.fresnel.reflectance(pair.cos_d.min(T::lit(1.0)))
+    }
+
+    /// The density of the samples, whether or not the light is above the surface.
+    #[inline(always)]
+    fn density<T: Real>(&self, pair: &Pair<T>) -> T
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        let masking = self.shadowing.masking(&self.distribution, pair);
+        (self.distribution.density(pair.h) * masking).min(T::max_finite())
+    }
+}
+
+impl<T, D, F, S> Brdf<T> for CookTorrance<D, F, S>
+where
+    T: Real,
+    D: Distribution<T>,
+    F: Fresnel<T>,
+    S: Shadowing<T, D>,
+{
+    type Color = F::Color;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
+        let pair = Pair::new(wi, wo);
+        let visibility = self.shadowing.visibility(&self.distribution, &pair);
+        let value = (self.distribution.density(pair.h) * visibility).min(T::max_finite());
+        self.reflectance(&pair) * T::select(pair.above, value, T::lit(0.0))
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let pair = Pair::new(wi, wo);
+        T::select(pair.above, self.density(&pair), T::lit(0.0))
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
+        let above = above_surface::<T>(wo);
+        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+        let wo = <T::Vec3 as Vector<T>>::select(above, wo, normal);
+        let h = self.shadowing.sample_visible(&self.distribution, wo, u);
+        let wi = reflect(wo, h);
+        // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
+        let pair = Pair::new(wi, wo);
+        let unshadowed = self.shadowing.unshadowed(&self.distribution, &pair);
+        let weight = self.reflectance(&pair) * unshadowed;
+        Sample { wi, weight, pdf: self.density(&pair) }.only_where(above).only_where(pair.above)
+    }
+}
