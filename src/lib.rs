@@ -14,13 +14,15 @@ mod direction;
 mod error;
 mod frame;
 pub mod fresnel;
+pub mod glossy;
 pub mod microfacet;
 pub mod quadrature;
 mod real;
 mod sampling;
+mod sum;
 
 pub use brdf::{Brdf, Sample};
-pub use diffuse::Lambert;
+pub use diffuse::{Lambert, OrenNayar};
 pub use direction::{
     Pair, Refraction, above_surface, brewster_angle, critical_angle, from_spherical, reflect,
     refract, to_spherical,
@@ -28,8 +30,10 @@ pub use direction::{
 pub use error::ParameterError;
 pub use frame::Frame;
 pub use fresnel::Fresnel;
+pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
     Beckmann, CookTorrance, Distribution, Ggx, Shadowing, Smith, SmithCorrelated, SmithSeparable,
     VCavity,
 };
 pub use real::{Color, Lanes, Mask, Real, Vector, Vector3};
+pub use sum::WeightedSum;

@@ -1,6 +1,9 @@
 //! Every model with representative parameters, in any number: what the tests run over.
 
-use brdf::{Brdf, Lambert, ParameterError, Real, Vector};
+use brdf::{
+    BlinnPhong, Brdf, ClassicPhong, Lambert, OrenNayar, ParameterError, Phong, Real, SchlickPower,
+    Vector, WeightedSum,
+};
 
 /// One model under test.
 pub struct Entry<T: Real> {
@@ -52,5 +55,40 @@ fn rgb<T: Real>(r: f64, g: f64, b: f64) -> T::Vec3 {
 
 fn build<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
     let (lit, rgb) = (lit::<T>, rgb::<T>);
-    Ok(vec![Entry::new("Lambert", Lambert::new(rgb(0.8, 0.5, 0.2))?)])
+    let sum = {
+        let terms: [(T::Vec3, Box<dyn Brdf<T, Color = T::Vec3>>); 3] = [
+            (rgb(0.5, 0.25, 0.125), Box::new(Lambert::new(rgb(0.8, 0.5, 0.2))?)),
+            (rgb(0.25, 0.5, 0.5), Box::new(Phong::new(rgb(1.0, 1.0, 1.0), lit(30.0))?)),
+            (rgb(0.25, 0.25, 0.375), Box::new(SchlickPower::new(rgb(1.0, 0.9, 0.8), lit(8.0))?)),
+        ];
+        WeightedSum::new(terms)?
+    };
+    Ok(vec![
+        Entry::new("Lambert", Lambert::new(rgb(0.8, 0.5, 0.2))?),
+        Entry::new("Oren-Nayar", OrenNayar::new(rgb(1.0, 0.5, 0.2), lit(0.3))?).not_conserving(),
+        Entry::new(
+            "Oren-Nayar with interreflection",
+            OrenNayar::with_interreflection(rgb(0.9, 0.5, 0.2), lit(0.5))?,
+        ),
+        Entry::new("Phong 10", Phong::new(rgb(1.0, 0.9, 0.8), lit(10.0))?),
+        Entry::new("Phong 2000", Phong::new(rgb(1.0, 0.9, 0.8), lit(2000.0))?),
+        Entry::new("classic Phong 3", ClassicPhong::new(rgb(1.0, 0.9, 0.8), lit(3.0))?)
+            .not_reciprocal()
+            .not_conserving(),
+        Entry::new("Blinn-Phong 40", BlinnPhong::new(rgb(1.0, 0.9, 0.8), lit(40.0))?),
+        Entry::new("Blinn-Phong 1e5", BlinnPhong::new(rgb(1.0, 0.9, 0.8), lit(1e5))?),
+        Entry::new(
+            "unnormalised Blinn-Phong 5",
+            BlinnPhong::unnormalized(rgb(1.0, 0.9, 0.8), lit(5.0))?,
+        )
+        .not_conserving(),
+        Entry::new("Schlick's power 10", SchlickPower::new(rgb(1.0, 0.9, 0.8), lit(10.0))?),
+        Entry::new("Schlick's power 1000", SchlickPower::new(rgb(1.0, 0.9, 0.8), lit(1000.0))?),
+        Entry::new(
+            "unnormalised Schlick's power 2",
+            SchlickPower::unnormalized(rgb(1.0, 0.9, 0.8), lit(2.0))?,
+        )
+        .not_conserving(),
+        Entry::new("weighted sum", sum),
+    ])
 }

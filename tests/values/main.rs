@@ -5,3 +5,4 @@ mod common;
 
 mod directions;
 mod distributions;
+mod lobes;

@@ -1,0 +1,151 @@
+use core::f64::consts::{FRAC_1_PI, FRAC_2_PI};
+
+use crate::brdf::{Brdf, Sample};
+use crate::direction::above_surface;
+use crate::error::{ParameterError, range};
+use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::cosine_hemisphere;
+
+/// Oren and Nayar's rough diffuse surface of Lambertian V-grooves, qualitative form.
+///
+/// ```text
+/// f = ρ/π · (A + B max(0, cosΔφ) sinα tanβ)
+/// A = 1 − 0.5 σ²/(σ² + 0.33)        B = 0.45 σ²/(σ² + 0.09)
+/// α = max(θᵢ, θₒ)    β = min(θᵢ, θₒ)    cosΔφ sinα tanβ = (xᵢxₒ + yᵢyₒ)/max(cosθᵢ, cosθₒ)
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | ρ | `albedo` | fraction of the light that a facet reflects | 0 … 1 |
+/// | σ | `sigma` | standard deviation of the tilt of the facets, radians | 0 … π/2 |
+///
+/// The model is meant for σ up to about 1.2; a tilt never exceeds π/2. σ is not the roughness of
+/// the microfacet distributions: for small angles that is √2 σ.
+///
+/// The constant 0.33 leaves out the light that facets send to each other. The authors offer 0.57
+/// in its place, in A alone, to make up for part of it:
+/// [`with_interreflection`](Self::with_interreflection). These are two values and no range.
+///
+/// Reciprocal. σ = 0 is [`Lambert`](crate::Lambert), to the last bit. **Not** conserving: the
+/// directional albedo rises from ρA at normal incidence to ρ(A + B/2) at grazing, at most 1.0152 ρ
+/// (σ = 0.199), with interreflection 1.0444 ρ (σ = 0.291); with ρ ≤ 0.95 all energy balances. f
+/// grows without bound, as tanβ, where both directions graze; the radiance f cosθᵢ does not.
+///
+/// Albedo in closed form, with s = sinθ, c = cosθ:
+/// E = ρ (A + 2B/π · (s(θ − sc)/2 + sc(1 + s + s²)/(3(1 + s)))). Sampled with density cosθ/π.
+///
+/// M. Oren, S. K. Nayar, *Generalization of Lambert's Reflectance Model*, SIGGRAPH 1994,
+/// [doi:10.1145/192161.192213](https://doi.org/10.1145/192161.192213), equation 30. Some
+/// descriptions drop the factor 1/π: they count the light as radiance of a full hemisphere.
+///
+/// ```
+/// use brdf::{Brdf, OrenNayar};
+/// use glam::DVec3;
+///
+/// let plaster = OrenNayar::new(DVec3::splat(0.8), 0.3)?;
+/// let f = plaster.eval(DVec3::Z, DVec3::Z);
+/// assert!((f.x - 0.22736420441699334).abs() < 1e-15);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OrenNayar<C = glam::Vec3, T = f32> {
+    albedo: C,
+    /// A.
+    constant: T,
+    /// B.
+    backscatter: T,
+}
+
+impl<C, T> OrenNayar<C, T> {
+    /// A rough diffuse surface; light that facets send to each other is left out (0.33).
+    ///
+    /// # Errors
+    /// If a channel of `albedo` is not in 0 … 1 or `sigma`, in radians, not in 0 … π/2.
+    pub fn new(albedo: C, sigma: T) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        Self::with_constant(albedo, sigma, 0.33)
+    }
+
+    /// A rough diffuse surface; light that facets send to each other is made up for in part
+    /// (0.57): up to 10 % brighter at the same σ.
+    ///
+    /// # Errors
+    /// If a channel of `albedo` is not in 0 … 1 or `sigma`, in radians, not in 0 … π/2.
+    pub fn with_interreflection(albedo: C, sigma: T) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        Self::with_constant(albedo, sigma, 0.57)
+    }
+
+    fn with_constant(albedo: C, sigma: T, constant: f64) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        ParameterError::check("albedo", range::UNIT, |lower, upper| albedo.outside(lower, upper))?;
+        ParameterError::check("sigma", range::SIGMA, |lower, upper| sigma.outside(lower, upper))?;
+        let variance = sigma.squared();
+        Ok(Self {
+            albedo,
+            constant: T::lit(1.0) - T::lit(0.5) * variance / (variance + T::lit(constant)),
+            backscatter: T::lit(0.45) * variance / (variance + T::lit(0.09)),
+        })
+    }
+}
+
+impl<T: Real, C: Color<T>> OrenNayar<C, T> {
+    /// π f for a facet albedo of 1: A + B max(0, cosΔφ) sinα tanβ.
+    #[inline(always)]
+    fn relative(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let across = wi.x() * wo.x() + wi.y() * wo.y();
+        let tallest = wi.z().max(wo.z());
+        // Two directions that graze to the last bit overflow, and 0 · ∞ must not arise for B = 0.
+        let limit = T::max_finite();
+        let azimuth = (across.max(T::lit(0.0)) / tallest).min(limit);
+        (self.constant + self.backscatter * azimuth).min(limit)
+    }
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
+    type Color = C;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let value = T::lit(FRAC_1_PI) * self.relative(wi, wo);
+        C::choose(above, self.albedo * value, C::splat(T::lit(0.0)))
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        let wi = cosine_hemisphere(u);
+        let weight = self.albedo * self.relative(wi, wo);
+        Sample { wi, weight, pdf: wi.z() * T::lit(FRAC_1_PI) }
+            .only_where(above_surface::<T>(wi).and(above_surface::<T>(wo)))
+    }
+
+    #[inline]
+    fn albedo(&self, wo: T::Vec3) -> C {
+        let (one, third) = (T::lit(1.0), T::lit(1.0 / 3.0));
+        let w = Vector::normalize_or_normal(wo);
+        let cos = w.z();
+        let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
+        let theta = sin.atan2(cos);
+        // tanθ (1 − sin³θ), where the cosine of the tangent cancels.
+        let tangent = sin * cos * (one + sin + sin * sin) / (one + sin);
+        let azimuth = sin * (theta - sin * cos) * T::lit(0.5) + tangent * third;
+        let value = self.constant + self.backscatter * T::lit(FRAC_2_PI) * azimuth;
+        C::choose(above_surface::<T>(wo), self.albedo * value, C::splat(T::lit(0.0)))
+    }
+}

@@ -1,0 +1,145 @@
+use core::f64::consts::{FRAC_1_PI, LN_2, TAU};
+
+use super::cosine_power::power_of_cosine;
+use crate::brdf::{Brdf, Sample};
+use crate::direction::{Pair, above_surface, reflect};
+use crate::error::{ParameterError, range};
+use crate::real::{Color, Mask, Real, Vector};
+
+/// Blinn's variant of Phong's lobe, around the half vector.
+///
+/// ```text
+/// f = kₛ C (N·H)ⁿ
+/// C = (n + 2)(n + 4)/(8π (2^(−n/2) + n))        C = 1 in the classic, unnormalised form
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | kₛ | `specular` | directional albedo at normal incidence | 0 … 1 |
+/// | n | `exponent` | sharpness of the lobe; 0 is Lambert's constant | 0 … 10⁸ |
+///
+/// Reciprocal. Conserving: with this C, from the integral, the directional albedo is kₛ at normal
+/// incidence and lower elsewhere. The popular (n + 8)/(8π) is a fit to it that overshoots: 1.024,
+/// 1.075, 1.018 kₛ for n = 1, 10, 100.
+///
+/// The [`unnormalized`](Self::unnormalized) form is **not** conserving for small n: its albedo at
+/// normal incidence is kₛ/C, which is πkₛ for n = 0, 1.50 kₛ for n = 10 and below kₛ from n ≈ 18.7
+/// on. Blinn, like Phong, wrote an intensity: multiply his I by 1/(N·L) to get a BRDF; here
+/// (N·H)ⁿ is the BRDF itself, as renderers use it.
+///
+/// In the plane of incidence the angle between N and H is half of the angle β between R and V, and
+/// cosⁿβ ≈ cos⁴ⁿ(β/2): the ratio is exp(nβ⁴/16) and the difference at most e⁻²/n, near β = 2/√n.
+/// So a Blinn–Phong lobe of exponent 4n looks like a [Phong](crate::Phong) lobe of exponent n
+/// there. Out of the plane it does not: at grazing it is much narrower across than along.
+///
+/// Sampled by half vectors with density (n + 2)/(2π) (N·H)ⁿ⁺¹, that is
+/// (n + 2)/(8π) (N·H)ⁿ⁺¹/(V·H) per steradian of `wi`.
+///
+/// J. F. Blinn, *Models of Light Reflection for Computer Synthesized Pictures*, SIGGRAPH 1977,
+/// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893), for (N·H)ⁿ.
+///
+/// ```
+/// use brdf::{Brdf, BlinnPhong};
+/// use glam::DVec3;
+///
+/// let plastic = BlinnPhong::new(DVec3::splat(0.5), 1.0)?;
+/// assert!((plastic.eval(DVec3::Z, DVec3::Z).x - 0.174807763395964).abs() < 1e-14);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlinnPhong<C = glam::Vec3, T = f32> {
+    specular: C,
+    exponent: T,
+    /// C.
+    constant: T,
+}
+
+impl<C, T> BlinnPhong<C, T> {
+    /// A lobe with the given albedo at normal incidence and exponent.
+    ///
+    /// # Errors
+    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
+    pub fn new(specular: C, exponent: T) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        let lobe = Self::unnormalized(specular, exponent)?;
+        let integral = (exponent * T::lit(-0.5 * LN_2)).exp() + exponent;
+        let constant = (exponent + T::lit(2.0)) / integral * (exponent + T::lit(4.0));
+        Ok(Self { constant: constant * T::lit(0.125 * FRAC_1_PI), ..lobe })
+    }
+
+    /// The classic lobe f = kₛ (N·H)ⁿ.
+    ///
+    /// # Errors
+    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
+    pub fn unnormalized(specular: C, exponent: T) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        ParameterError::check("specular", range::UNIT, |lower, upper| {
+            specular.outside(lower, upper)
+        })?;
+        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
+            exponent.outside(lower, upper)
+        })?;
+        Ok(Self { specular, exponent, constant: T::lit(1.0) })
+    }
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
+    type Color = C;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        let pair = Pair::<T>::new(wi, wo);
+        let value = self.constant * half_vector_power(&pair, self.exponent);
+        C::choose(pair.above, self.specular * value, C::splat(T::lit(0.0)))
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        self.pdf_of(&Pair::new(wi, wo))
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
+        let versine = -((-u[0]).ln_1p() / (self.exponent + two)).exp_m1();
+        let sin = (versine * (two - versine)).max(zero).sqrt();
+        let cos_h = one - versine;
+        let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
+        let h = <T::Vec3 as Vector<T>>::new(sin * cos_phi, sin * sin_phi, cos_h);
+        let viewer = Vector::normalize_or_normal(wo);
+        let wi = reflect(viewer, h);
+        // Half vectors that the viewer sees from behind give no direction.
+        let cos_d = Vector::dot(viewer, h);
+        let drawn = above_surface::<T>(wi).and(above_surface::<T>(wo)).and(cos_d.gt(zero));
+        // f cosθᵢ / pdf, where N·L < 2 (V·H)(N·H) makes the quotient by N·H harmless.
+        let quotient = cos_d * wi.z() / T::select(drawn, cos_h, one);
+        let scale = self.constant * T::lit(4.0 * TAU) / (self.exponent + two);
+        let pdf = self.pdf_of(&Pair::new(wi, wo));
+        Sample { wi, weight: self.specular * (scale * quotient), pdf }
+            .only_where(drawn.and(pdf.gt(zero)))
+    }
+}
+
+impl<T: Real, C> BlinnPhong<C, T> {
+    #[inline(always)]
+    fn pdf_of(&self, pair: &Pair<T>) -> T {
+        let (one, two) = (T::lit(1.0), T::lit(2.0));
+        let density = (self.exponent + two) * T::lit(0.125 * FRAC_1_PI);
+        let cos_d = T::select(pair.above, pair.cos_d, one);
+        let value = density * half_vector_power(pair, self.exponent + one) / cos_d;
+        T::select(pair.above, value.min(T::max_finite()), T::lit(0.0))
+    }
+}
+
+/// (N·H)ⁿ.
+#[inline(always)]
+fn half_vector_power<T: Real>(pair: &Pair<T>, exponent: T) -> T {
+    let sin_squared = pair.h.x() * pair.h.x() + pair.h.y() * pair.h.y();
+    power_of_cosine(pair.cos_h, sin_squared, exponent)
+}

@@ -1,0 +1,106 @@
+use core::f64::consts::{FRAC_1_PI, PI, TAU};
+
+use super::cosine_power::{power_of_versine, quarter_turn};
+use super::mirror::{around_mirror, mirror_versine, sample_power};
+use crate::brdf::{Brdf, Sample};
+use crate::direction::above_surface;
+use crate::error::{ParameterError, range};
+use crate::real::{Color, Mask, Real, Vector};
+
+/// Phong's highlight as printed in 1975, for pictures that must match it.
+///
+/// ```text
+/// I = kₛ max(0, R·V)ⁿ                 the intensity of the highlight, of a light of intensity 1
+/// f = kₛ max(0, R·V)ⁿ / (N·L)         the BRDF that gives f cosθᵢ = I
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | kₛ | `specular` | intensity at the centre of the highlight | 0 … 1 |
+/// | n | `exponent` | sharpness of the highlight | 0 … 10⁸ |
+///
+/// **Not** reciprocal: the cosine belongs to the light alone. **Not** conserving: the directional
+/// albedo is 2πkₛ/(n + 1) at normal incidence and falls from there, so it exceeds kₛ for
+/// n < 2π − 1 (n = 0: 6.28, n = 1: 3.14) and fades for larger n. f grows without bound where the
+/// light grazes; the radiance f cosθᵢ does not. [`Phong`](crate::Phong) is the lobe for
+/// physically based rendering.
+///
+/// Sampled with density (n + 1)/(2π) (R·V)ⁿ around the mirror direction. Directional albedo
+/// E = kₛ π/(n + 1) · (1 + W(π/2 − θ)/W(π/2)) with W(φ) = ∫₀^φ cosⁿ.
+///
+/// B. T. Phong, *Illumination for Computer Generated Pictures*, CACM 18(6), 1975,
+/// [doi:10.1145/360825.360839](https://doi.org/10.1145/360825.360839).
+///
+/// ```
+/// use brdf::{Brdf, ClassicPhong};
+/// use glam::DVec3;
+///
+/// let highlight = ClassicPhong::new(DVec3::ONE, 10.0)?;
+/// let (wi, wo) = (DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.6, 0.0, 0.8));
+/// assert!((highlight.eval(wi, wo).x * wi.z - 1.0).abs() < 1e-14);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClassicPhong<C = glam::Vec3, T = f32> {
+    specular: C,
+    exponent: T,
+}
+
+impl<C, T> ClassicPhong<C, T> {
+    /// A highlight with the given intensity at its centre and exponent.
+    ///
+    /// # Errors
+    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
+    pub fn new(specular: C, exponent: T) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        ParameterError::check("specular", range::UNIT, |lower, upper| {
+            specular.outside(lower, upper)
+        })?;
+        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
+            exponent.outside(lower, upper)
+        })?;
+        Ok(Self { specular, exponent })
+    }
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
+    type Color = C;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let cos = T::select(above, wi.z(), T::lit(1.0));
+        let power = power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
+        let value = (power / cos).min(T::max_finite());
+        C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let constant = (self.exponent + T::lit(1.0)) * T::lit(0.5 * FRAC_1_PI);
+        let value = constant * power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
+        T::select(above, value, T::lit(0.0))
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        let wi = around_mirror::<T>(wo, sample_power(self.exponent, u[0]), u[1]);
+        let weight = self.specular * (T::lit(TAU) / (self.exponent + T::lit(1.0)));
+        let pdf = self.pdf(wi, wo);
+        Sample { wi, weight, pdf }.only_where(pdf.gt(T::lit(0.0)))
+    }
+
+    #[inline]
+    fn albedo(&self, wo: T::Vec3) -> C {
+        let one = T::lit(1.0);
+        let w = Vector::normalize_or_normal(wo);
+        let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
+        let (within, _) = quarter_turn(self.exponent, w.z().abs(), sin);
+        let albedo = self.specular * (T::lit(PI) / (self.exponent + one) * (one + within));
+        C::choose(above_surface::<T>(wo), albedo, C::splat(T::lit(0.0)))
+    }
+}

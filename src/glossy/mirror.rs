@@ -1,0 +1,36 @@
+//! Lobes around the mirror direction.
+
+use core::f64::consts::TAU;
+
+use crate::frame::Frame;
+use crate::real::{Real, Vector};
+
+/// 1 − R·V, as |R − V|²/2 with R the mirror direction of `wi`.
+///
+/// The difference of two near vectors is exact, so that the narrowest lobe keeps its digits; and
+/// the same bits arise when `wi` and `wo` change places.
+#[inline(always)]
+pub(super) fn mirror_versine<T: Real>(wi: T::Vec3, wo: T::Vec3) -> T {
+    let (x, y, z) = (wi.x() + wo.x(), wi.y() + wo.y(), wi.z() - wo.z());
+    (x * x + y * y + z * z) * T::lit(0.5)
+}
+
+/// The unit direction at an angle of given 1 − cos from the mirror direction of `wo`, at azimuth
+/// 2π `turn` around it.
+#[inline(always)]
+pub(super) fn around_mirror<T: Real>(wo: T::Vec3, versine: T, turn: T) -> T::Vec3 {
+    let mirror = <T::Vec3 as Vector<T>>::new(-wo.x(), -wo.y(), wo.z());
+    let sin = (versine * (T::lit(2.0) - versine)).max(T::lit(0.0)).sqrt();
+    let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
+    Frame::from_normal(mirror).to_world(Vector::new(
+        sin * cos_phi,
+        sin * sin_phi,
+        T::lit(1.0) - versine,
+    ))
+}
+
+/// 1 − cos of an angle drawn with density (n + 1)/(2π) cosⁿ per steradian.
+#[inline(always)]
+pub(super) fn sample_power<T: Real>(exponent: T, u: T) -> T {
+    -((-u).ln_1p() / (exponent + T::lit(1.0))).exp_m1()
+}

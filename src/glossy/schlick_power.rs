@@ -1,0 +1,178 @@
+use core::f64::consts::{FRAC_1_PI, TAU};
+
+use super::mirror::{around_mirror, mirror_versine};
+use crate::brdf::{Brdf, Sample};
+use crate::direction::above_surface;
+use crate::error::{ParameterError, range};
+use crate::real::{Color, Mask, Real, Vector};
+
+/// Schlick's rational lobe in place of Phong's power.
+///
+/// ```text
+/// f = kₛ C · S/(h − hS + S)        S = max(0, R·V)        R = 2N(N·L) − L
+/// C = 1/(2πJ)        J = ∫₀¹ S²/(h − hS + S) dS        C = 1 in the unnormalised form
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | kₛ | `specular` | directional albedo at normal incidence | 0 … 1 |
+/// | h | `exponent` | exponent of the power that is replaced | 0 … 10⁸ |
+///
+/// Meant for h ≥ 1, where Sʰ ≈ S/(h − hS + S) has the same value at S = 0 and the same value and
+/// slope at S = 1; it stays well behaved down to h = 0, a constant. The tail is much heavier than
+/// the power's: half of the peak is reached at S = h/(h + 1).
+///
+/// Reciprocal, to the last bit. Conserving with its own constant: the directional albedo is kₛ at
+/// normal incidence and lower elsewhere. Phong's constant (n + 2)/(2π) does not fit it: 1.64 kₛ
+/// for h = 10, 3.29 kₛ for h = 100. The [`unnormalized`](Self::unnormalized) form is **not**
+/// conserving for small h: kₛ/C is πkₛ for h = 0, 2.09 kₛ for h = 1, 0.86 kₛ for h = 10.
+///
+/// J = h² ln h/(h − 1)³ − h/(h − 1)² − 1/(2(h − 1)) cancels around h = 1, where it is ⅓. It is
+/// computed as J = (1 + (1 + y)² A)/(2(h + 1)) with y = (h − 1)/(h + 1) and
+/// A = (artanh y − y)/y³ = ⅓ + y²/5 + y⁴/7 + …, where nothing cancels.
+///
+/// Sampled around the mirror direction with density (h − 1)/(2π ln h) / (h − hS + S), which leaves
+/// the factor S to the weight and can be drawn exactly.
+///
+/// C. Schlick, *A Fast Alternative to Phong's Specular Model*, Graphics Gems IV, 1994, 385–387.
+///
+/// ```
+/// use brdf::{Brdf, SchlickPower};
+/// use glam::DVec3;
+///
+/// let plastic = SchlickPower::new(DVec3::ONE, 10.0)?;
+/// assert!((plastic.eval(DVec3::Z, DVec3::Z).x - 1.1630481883582457).abs() < 1e-14);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SchlickPower<C = glam::Vec3, T = f32> {
+    specular: C,
+    exponent: T,
+    /// C.
+    constant: T,
+}
+
+impl<C, T> SchlickPower<C, T> {
+    /// A lobe with the given albedo at normal incidence and exponent.
+    ///
+    /// # Errors
+    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
+    pub fn new(specular: C, exponent: T) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        let lobe = Self::unnormalized(specular, exponent)?;
+        let one = T::lit(1.0);
+        let (y, excess) = artanh_excess(exponent);
+        let twice_integral = (one + (one + y).squared() * excess) / (exponent + one);
+        Ok(Self { constant: T::lit(FRAC_1_PI) / twice_integral, ..lobe })
+    }
+
+    /// The lobe f = kₛ S/(h − hS + S).
+    ///
+    /// # Errors
+    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
+    pub fn unnormalized(specular: C, exponent: T) -> Result<Self, ParameterError>
+    where
+        T: Real,
+        C: Color<T>,
+    {
+        ParameterError::check("specular", range::UNIT, |lower, upper| {
+            specular.outside(lower, upper)
+        })?;
+        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
+            exponent.outside(lower, upper)
+        })?;
+        Ok(Self { specular, exponent, constant: T::lit(1.0) })
+    }
+}
+
+/// y = (h − 1)/(h + 1) and (artanh y − y)/y³, where artanh y = ½ ln h.
+#[inline]
+fn artanh_excess<T: Real>(h: T) -> (T, T) {
+    let one = T::lit(1.0);
+    let y = (h - one) / (h + one);
+    let y_squared = y * y;
+    // The series to the last digit for |y| < ½, the difference beyond, where it keeps its digits.
+    let small = y.abs().lt(T::lit(0.5));
+    let reduced = T::select(small, y_squared, T::lit(0.0));
+    let series = (0..26)
+        .rev()
+        .fold(T::lit(0.0), |sum, term| sum * reduced + T::lit(1.0 / f64::from(2 * term + 3)));
+    let y_large = T::select(small, one, y);
+    // At h = 0 the logarithm meets a factor (1 + y)² = 0.
+    let artanh = T::select(small, one, h.max(T::lit(1e-30))).ln() * T::lit(0.5);
+    (y, T::select(small, series, (artanh - y_large) / (y_large * y_large * y_large)))
+}
+
+impl<T: Real, C> SchlickPower<C, T> {
+    /// The exponent of the density of the samples. Below 1 the lobe is broader than a hemisphere
+    /// of equal density, which then serves.
+    #[inline(always)]
+    fn sampled_exponent(&self) -> T {
+        self.exponent.max(T::lit(1.0))
+    }
+
+    /// ln h/(h − 1) of the sampled exponent: ∫₀¹ dS/(h − hS + S).
+    #[inline(always)]
+    fn sampled_integral(&self) -> T {
+        let h = self.sampled_exponent();
+        let (y, excess) = artanh_excess(h);
+        T::lit(2.0) / (h + T::lit(1.0)) * (T::lit(1.0) + y * y * excess)
+    }
+
+    /// 1/(h − hS + S) of the sampled exponent, from 1 − S.
+    #[inline(always)]
+    fn sampled_shape(&self, versine: T) -> T {
+        let one = T::lit(1.0);
+        one / (one + (self.sampled_exponent() - one) * versine)
+    }
+
+    /// S/(h − hS + S) from 1 − S; zero for S ≤ 0.
+    #[inline(always)]
+    fn shape(&self, versine: T) -> T {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let positive = versine.lt(one);
+        let versine = T::select(positive, versine, zero);
+        let cos = one - versine;
+        T::select(positive, cos / (self.exponent * versine + cos), zero)
+    }
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
+    type Color = C;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let value = self.constant * self.shape(mirror_versine::<T>(wi, wo));
+        C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let versine = mirror_versine::<T>(wi, wo);
+        let inside =
+            above_surface::<T>(wi).and(above_surface::<T>(wo)).and(versine.lt(T::lit(1.0)));
+        let versine = T::select(inside, versine, T::lit(0.0));
+        let density = self.sampled_shape(versine) / (T::lit(TAU) * self.sampled_integral());
+        T::select(inside, density, T::lit(0.0))
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        // 1 − S = (hᵘ − 1)/(h − 1), which is u for h = 1.
+        let growth = self.sampled_exponent() - one;
+        let grows = growth.gt(zero);
+        let growth = T::select(grows, growth, one);
+        let versine = T::select(grows, (u[0] * growth.ln_1p()).exp_m1() / growth, u[0]);
+        let wi = around_mirror::<T>(wo, versine, u[1]);
+        let scale = self.constant * T::lit(TAU) * self.sampled_integral();
+        let quotient = self.shape(versine) / self.sampled_shape(versine);
+        let pdf = self.pdf(wi, wo);
+        Sample { wi, weight: self.specular * (scale * quotient * wi.z()), pdf }
+            .only_where(pdf.gt(zero))
+    }
+}
