@@ -1,6 +1,7 @@
 use core::f64::consts::{FRAC_1_PI, LN_2, TAU};
 
 use super::cosine_power::power_of_cosine;
+use super::mirror::unit_viewer;
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{Pair, above_surface, reflect};
 use crate::error::{ParameterError, range};
@@ -112,7 +113,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
         let cos_h = one - versine;
         let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
         let h = <T::Vec3 as Vector<T>>::new(sin * cos_phi, sin * sin_phi, cos_h);
-        let viewer = Vector::normalize_or_normal(wo);
+        let viewer = unit_viewer::<T>(wo);
         let wi = reflect(viewer, h);
         // Half vectors that the viewer sees from behind give no direction.
         let cos_d = Vector::dot(viewer, h);

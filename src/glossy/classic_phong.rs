@@ -1,7 +1,7 @@
 use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
 use super::cosine_power::{power_of_versine, quarter_turn};
-use super::mirror::{around_mirror, mirror_versine, sample_power};
+use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::{ParameterError, range};
@@ -97,9 +97,9 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
     #[inline]
     fn albedo(&self, wo: T::Vec3) -> C {
         let one = T::lit(1.0);
-        let w = Vector::normalize_or_normal(wo);
+        let w = unit_viewer::<T>(wo);
         let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
-        let (within, _) = quarter_turn(self.exponent, w.z().abs(), sin);
+        let (within, _) = quarter_turn(self.exponent, w.z(), sin);
         let albedo = self.specular * (T::lit(PI) / (self.exponent + one) * (one + within));
         C::choose(above_surface::<T>(wo), albedo, C::splat(T::lit(0.0)))
     }

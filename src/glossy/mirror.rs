@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use crate::direction::above_surface;
 use crate::frame::Frame;
 use crate::real::{Real, Vector};
 
@@ -15,11 +16,20 @@ pub(super) fn mirror_versine<T: Real>(wi: T::Vec3, wo: T::Vec3) -> T {
     (x * x + y * y + z * z) * T::lit(0.5)
 }
 
+/// `wo` as a unit vector; the normal where it is no direction above the surface.
+#[inline(always)]
+pub(super) fn unit_viewer<T: Real>(wo: T::Vec3) -> T::Vec3 {
+    let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+    let viewer = <T::Vec3 as Vector<T>>::select(above_surface::<T>(wo), wo, normal);
+    Vector::normalize_or_normal(viewer)
+}
+
 /// The unit direction at an angle of given 1 − cos from the mirror direction of `wo`, at azimuth
 /// 2π `turn` around it.
 #[inline(always)]
 pub(super) fn around_mirror<T: Real>(wo: T::Vec3, versine: T, turn: T) -> T::Vec3 {
-    let mirror = <T::Vec3 as Vector<T>>::new(-wo.x(), -wo.y(), wo.z());
+    let viewer = unit_viewer::<T>(wo);
+    let mirror = <T::Vec3 as Vector<T>>::new(-viewer.x(), -viewer.y(), viewer.z());
     let sin = (versine * (T::lit(2.0) - versine)).max(T::lit(0.0)).sqrt();
     let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
     Frame::from_normal(mirror).to_world(Vector::new(

@@ -1,7 +1,7 @@
 use core::f64::consts::FRAC_1_PI;
 
 use super::cosine_power::{power_of_cosine, power_of_versine, quarter_turn};
-use super::mirror::{around_mirror, mirror_versine, sample_power};
+use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::{ParameterError, range};
@@ -100,8 +100,8 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
     #[inline]
     fn albedo(&self, wo: T::Vec3) -> C {
         let one = T::lit(1.0);
-        let w = Vector::normalize_or_normal(wo);
-        let cos = w.z().abs();
+        let w = unit_viewer::<T>(wo);
+        let cos = w.z();
         let sin_squared = w.x() * w.x() + w.y() * w.y();
         let (within, whole) = quarter_turn(self.exponent + one, cos, sin_squared.sqrt());
         let beyond = power_of_cosine(sin_squared.sqrt(), cos * cos, self.exponent + T::lit(2.0));
