@@ -33,22 +33,57 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
     )
 }
 
-/// The slope x in the direction of a viewer at angle (cos, sin): the distribution function
-/// cos erfc(−x) + sin exp(−x²)/√π, divided by its value at x = cos/sin, inverted.
+/// The slope x ≤ cos/sin towards a viewer at angle (cos, sin) whose distribution function
+///
+/// ```text
+/// C(x) = K(x)/K(cos/sin),  K(x) = cos erfc(−x) + sin exp(−x²)/√π
+/// ```
+///
+/// is `u`, by four steps of Newton's method: on ln C where `u` is small, on √(1 − C) where it is
+/// large. Both are close to straight lines, the second because C ends in a parabola. What is left
+/// is an error of C below 2·10⁻¹³ in `f64` and 4·10⁻⁷ in `f32`, relative to `u` (1 + 2x²).
 #[inline]
 fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
-    let part = T::lit(0.5 * FRAC_2_SQRT_PI) * sin;
+    let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
+    // Slope −∞ belongs to u = 0. Probability 10⁻³⁷ is what every number can represent.
+    let u = u.clamp(T::lit(1e-37), one);
+    let small = u.lt(T::lit(0.5));
     let largest = (cos / sin).min(T::lit(40.0));
-    let target = u.max(T::lit(1e-37)) * (cos * T::lit(2.0) + sin * ierfc(largest));
-    let mut x = -(-(u.max(T::lit(1e-37))).ln()).max(T::lit(0.0)).sqrt();
-    for _ in 0..12 {
+    let whole = two * cos + sin * ierfc(largest);
+    let (part, rest) = (u * whole, (one - u) * whole);
+    let parabola = T::lit(FRAC_1_SQRT_PI) / sin;
+    // The viewer's cosine only moves the slope up: this is the solution at grazing.
+    let smallest = -(-u.ln()).max(zero).sqrt();
+    let mut x = T::select(u.lt(T::lit(0.01)), smallest, first_guess(cos, sin, largest, u));
+    for _ in 0..4 {
+        x = x.clamp(smallest, largest);
         let gauss = (-x.squared()).exp();
-        let below = cos * (-x).erfc() + part * gauss;
-        let slope = (cos - x * sin) * gauss * T::lit(FRAC_2_SQRT_PI);
-        x = (x - below * (below / target).ln() / slope.max(T::lit(1e-37))).min(largest);
+        let below = cos * (-x).erfc() + sin * gauss * T::lit(FRAC_1_SQRT_PI);
+        let facing = cos - x * sin;
+        // Near the upper end the difference is all rounding; the parabola there bounds it.
+        let bound = facing.squared() * T::select(x.gt(zero), gauss, one) * parabola;
+        let above = (whole - below).max(zero).min(bound);
+        let density = facing * gauss * T::lit(2.0 * FRAC_1_SQRT_PI);
+        let small_step = below * (part / below).ln();
+        let large_step = two * (above - (above * rest).sqrt());
+        x = x + T::select(small, small_step, large_step) / density.max(T::lit(1e-37));
     }
-    x
+    x.clamp(smallest, largest)
 }
+
+/// A slope within 0.3 of the one with distribution function `u`: one power law in erf x for each
+/// angle, the fit of Wenzel Jakob's "An improved visible normal sampling routine for the Beckmann
+/// distribution", 2014.
+#[inline]
+fn first_guess<T: Real>(cos: T, sin: T, largest: T, u: T) -> T {
+    let one = T::lit(1.0);
+    let theta = sin.atan2(cos);
+    let power = one + theta * (T::lit(-0.876) + theta * (T::lit(0.4265) + theta * T::lit(-0.0594)));
+    let erf = largest.erf();
+    (erf - (one + erf) * (one - u).powf(power)).erf_inv()
+}
+
+const FRAC_1_SQRT_PI: f64 = 0.5 * FRAC_2_SQRT_PI;
 
 /// The integral of erfc from ν ≥ 0 to infinity, exp(−ν²)/√π − ν erfc ν, with a relative error
 /// of 7·10⁻¹⁶ plus that of the exponential, in the tail too, where the difference cancels.
@@ -94,3 +129,64 @@ const IERFC: [f64; 25] = [
     -4.058066627398352e-09,
     3.959107435392204e-09,
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The largest error of the distribution function, relative to `u` and to the 1 + 2x² with
+    /// which it answers to the rounding of x, over viewers from the normal to grazing.
+    fn worst_inversion<T: Real + Into<f64>>(epsilon: f64) -> f64 {
+        let mut worst = 0.0_f64;
+        for i in 0..200 {
+            let part = f64::from(i) / 200.0;
+            for cot in [10.0_f64.powf(28.0 * part - 20.0), 4.5 * part] {
+                let (cos, sin): (T, T) =
+                    (T::lit(cot / cot.hypot(1.0)), T::lit(1.0 / cot.hypot(1.0)));
+                for j in 0..200 {
+                    let part = f64::from(j) / 200.0;
+                    for u in [part, 1e-37_f64.powf(part), 1.0 - epsilon.powf(part)] {
+                        let u = T::lit(u);
+                        let x = visible_slope(cos, sin, u).into();
+                        let got = distribution_function(cos.into(), sin.into(), x);
+                        let error = (got / u.into().max(1e-37) - 1.0).abs();
+                        worst = worst.max(error / (1.0 + 2.0 * x * x));
+                    }
+                }
+            }
+        }
+        worst
+    }
+
+    fn distribution_function(cos: f64, sin: f64, x: f64) -> f64 {
+        let below = cos * Real::erfc(-x) + sin * Real::exp(-x * x) * FRAC_1_SQRT_PI;
+        below / (2.0 * cos + sin * ierfc(cos / sin))
+    }
+
+    #[test]
+    fn visible_slopes_invert_their_distribution_function() {
+        let double = worst_inversion::<f64>(1e-16);
+        assert!(double < 2e-13, "{double:e}");
+        let single = worst_inversion::<f32>(6e-8);
+        assert!(single < 4e-7, "{single:e}");
+    }
+
+    #[test]
+    fn ierfc_is_the_difference_it_replaces() {
+        for i in 0..=60 {
+            let nu = 0.05 * f64::from(i);
+            let difference = Real::exp(-nu * nu) * FRAC_1_SQRT_PI - nu * Real::erfc(nu);
+            // The difference loses a factor of 2ν² of its digits.
+            let allowed = 1e-15 * (1.0 + 2.0 * nu * nu);
+            assert!((ierfc(nu) / difference - 1.0).abs() < allowed, "{nu}");
+        }
+        // The first terms of the asymptotic series, where the next is below 10⁻¹³.
+        for nu in [24.5_f64, 26.0] {
+            let z = 1.0 / (4.0 * nu * nu);
+            let series =
+                1.0 + z * (-6.0 + z * (60.0 + z * (-840.0 + z * (15120.0 - z * 332640.0))));
+            let want = Real::exp(-nu * nu) * FRAC_1_SQRT_PI * 2.0 * z * series;
+            assert!((ierfc(nu) / want - 1.0).abs() < 1e-13, "{nu}");
+        }
+    }
+}
