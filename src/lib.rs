@@ -29,7 +29,7 @@ pub use direction::{
 };
 pub use error::ParameterError;
 pub use frame::Frame;
-pub use fresnel::Fresnel;
+pub use fresnel::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
     Beckmann, CookTorrance, Distribution, Ggx, Shadowing, Smith, SmithCorrelated, SmithSeparable,

@@ -1,7 +1,28 @@
 //! Reflectance of a smooth surface.
+//!
+//! [`Dielectric`] and [`Conductor`] are Fresnel's equations, exact; [`Schlick`], [`Hall`] and
+//! [`Cook`] approximate them from the colour at normal incidence. [`forms`] has the equations as
+//! they are printed in textbooks.
+
+mod conductor;
+mod constant;
+mod dielectric;
+pub mod forms;
+mod interpolation;
+mod normal_incidence;
+mod polarized;
+mod schlick;
 
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};
+
+pub use conductor::{Conductor, conductor_polarized};
+pub use constant::Constant;
+pub use dielectric::{Dielectric, dielectric_polarized};
+pub use interpolation::{Cook, Hall};
+pub use normal_incidence::{index_from_normal_incidence, normal_incidence};
+pub use polarized::Polarized;
+pub use schlick::Schlick;
 
 /// The reflectance of a smooth surface for unpolarised light.
 ///
@@ -12,11 +33,27 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     type Color: Color<T>;
 
     /// Reflectance in 0 … 1 at the cosine of the angle of incidence.
+    ///
+    /// A cosine above 1 counts as 1. A negative one means light from the other side to
+    /// [`Dielectric`]; the other models have one side only and ignore the sign.
     fn reflectance(&self, cos_theta: T) -> Self::Color;
 
     /// Cosine-averaged reflectance 2 ∫₀¹ F(μ) μ dμ: the fraction reflected of light that arrives
     /// with the same radiance from everywhere.
+    ///
+    /// By default 48 Gauss–Legendre nodes in √μ, which crowd near grazing, where a reflectance
+    /// changes fastest.
     fn average(&self) -> Self::Color {
-        integrate(T::lit(0.0), T::lit(1.0), |cos| self.reflectance(cos) * (cos * T::lit(2.0)))
+        integrate(T::lit(0.0), T::lit(1.0), |root| {
+            let cos = root * root;
+            self.reflectance(cos) * (cos * root * T::lit(4.0))
+        })
     }
+}
+
+/// The cosine of a surface with one side: |cosθ|, and at most 1 although rounding of a scalar
+/// product may have made it larger.
+#[inline(always)]
+fn incident_cosine<T: Real>(cos_theta: T) -> T {
+    cos_theta.abs().min(T::lit(1.0))
 }

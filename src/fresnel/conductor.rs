@@ -1,0 +1,210 @@
+use super::{Fresnel, Polarized, incident_cosine};
+use crate::error::{ParameterError, range};
+use crate::quadrature::integrate;
+use crate::real::{Color, Real};
+
+/// Fresnel's reflectance of a conductor or any absorbing medium, exact, seen from a transparent
+/// one.
+///
+/// ```text
+/// q = a + ib = √((n + ik)² − s²)    u = |cosθ|    s² = (1 − u)(1 + u)
+/// R_s = |(u − q)/(u + q)|²          R_p = R_s |(u q − s²)/(u q + s²)|²    R = (R_s + R_p)/2
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | n | `eta` | real part of the relative index | 10⁻⁴ … 10⁴ |
+/// | k | `k` | imaginary part, the extinction coefficient | 0 … 10⁴ |
+/// | cosθ | `cos_theta` | cosine of the angle of incidence | −1 … 1, the sign is ignored |
+///
+/// k is the extinction coefficient itself, not κ = k/n. With k = 0 this is
+/// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 exactly, unless
+/// n = 1 and k < 10⁻¹⁸, which counts as no surface: R = 0.
+///
+/// Reciprocal. Conserving: R ≤ 1.
+///
+/// The sum of R_s and R_p is evaluated on one fraction line,
+///
+/// ```text
+/// R = |N² − 1|² (u²h + s⁴) / ((h + u² + 2au)² (u²h + s⁴ + 2au s²))    N = n + ik    h = a² + b²
+/// ```
+///
+/// where nothing is subtracted: in `f32` R stays within 1.5·10⁻⁶ relative of the exact value for
+/// every index and angle, except close to the critical angle of n < 1 with k near 0.
+///
+/// The average is a quadrature with a relative error below 10⁻¹³ for metals (0.04 ≤ n ≤ 10,
+/// 1 ≤ k ≤ 10), 2·10⁻⁷ in the whole range except next to n + ik = 1, where it grows to 4·10⁻⁵ at
+/// |N − 1| = 10⁻⁶.
+///
+/// A. Fresnel 1823, with A. L. Cauchy's complex index. M. Born, E. Wolf, *Principles of Optics*,
+/// section 14.2; in terms of a and b as in R. Siegel, J. R. Howell, *Thermal Radiation Heat
+/// Transfer*.
+///
+/// ```
+/// use brdf::{Conductor, Fresnel};
+/// use glam::DVec3;
+///
+/// // Gold at 659.5, 548.6 and 450.9 nm.
+/// let gold = Conductor::new(DVec3::new(0.14, 0.43, 1.38), DVec3::new(3.697, 2.455, 1.914))?;
+/// let normal = gold.reflectance(1.0);
+/// assert!(normal.abs_diff_eq(DVec3::new(0.962585, 0.786916, 0.408220), 1e-6));
+/// assert_eq!(gold.reflectance(0.0), DVec3::ONE);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Conductor<C = glam::Vec3> {
+    eta: C,
+    k: C,
+}
+
+impl<C> Conductor<C> {
+    /// A medium of the given complex relative index n + ik, per channel.
+    ///
+    /// # Errors
+    /// If a channel of `eta` is not in 10⁻⁴ … 10⁴ or a channel of `k` not in 0 … 10⁴.
+    pub fn new<T: Real>(eta: C, k: C) -> Result<Self, ParameterError>
+    where
+        C: Color<T>,
+    {
+        ParameterError::check("eta", range::ETA, |lower, upper| eta.outside(lower, upper))?;
+        ParameterError::check("k", range::K, |lower, upper| k.outside(lower, upper))?;
+        Ok(Self { eta, k })
+    }
+}
+
+impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {
+    type Color = C;
+
+    #[inline]
+    fn reflectance(&self, cos_theta: T) -> C {
+        let cos = incident_cosine(cos_theta);
+        self.eta.zip(self.k, |eta, k| Refraction::new(eta, k, cos).unpolarized())
+    }
+
+    fn average(&self) -> C {
+        self.eta.zip(self.k, average)
+    }
+}
+
+/// R_s and R_p of a medium of complex relative index `eta` + i `k`, as in [`Conductor`].
+///
+/// R_p is as accurate as R except where it almost vanishes, at the pseudo-Brewster angle of a
+/// weak absorber.
+///
+/// ```
+/// // Gold at 659.5 nm.
+/// let gold = brdf::fresnel::conductor_polarized(0.14, 3.697, 1.2_f64.cos());
+/// assert!((gold.s - 0.9866897397).abs() < 1e-10);
+/// assert!((gold.p - 0.9253824968).abs() < 1e-10);
+/// ```
+#[inline]
+#[must_use]
+pub fn conductor_polarized<T: Real>(eta: T, k: T, cos_theta: T) -> Polarized<T> {
+    Refraction::new(eta, k, incident_cosine(cos_theta)).polarized()
+}
+
+/// The refracted wave and what the reflectances take from it.
+pub(super) struct Refraction<T> {
+    /// u, the cosine of the angle of incidence.
+    cos: T,
+    /// 1 − u².
+    sin_squared: T,
+    /// Real part of q, the normal component of the refracted wave vector over that in vacuum.
+    pub(super) a: T,
+    /// Imaginary part of q.
+    pub(super) b: T,
+    /// |q|² = a² + b².
+    modulus_squared: T,
+    /// |q|⁴, before the root was taken.
+    modulus_fourth: T,
+    /// |N² − 1|².
+    contrast: T,
+}
+
+impl<T: Real> Refraction<T> {
+    #[inline(always)]
+    pub(super) fn new(eta: T, k: T, cos: T) -> Self {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
+
+        // Real parts of N² − 1 and of q² = N² − s², by whichever of two equal forms cancels less:
+        // around N = 1 that is counted from N² − 1, around 0 from N².
+        let squared = (eta - k) * (eta + k);
+        let large = squared.ge(T::lit(0.5));
+        let contrast = T::select(large, (eta - one) * (eta + one) - k * k, squared - one);
+        let x = T::select(large, contrast + cos_squared, squared - sin_squared);
+        let product = eta * k;
+        let y_squared = T::lit(4.0) * product.squared();
+
+        // The larger of a and b from the root, the smaller from a b = n k. The floor stands where
+        // q = 0, at a critical angle; it is below the rounding of x² there.
+        let modulus_fourth = (x * x + y_squared).max(T::lit(1e-37));
+        let modulus_squared = modulus_fourth.sqrt();
+        let larger = ((modulus_squared + x.abs()) * T::lit(0.5)).sqrt();
+        let smaller = product / larger;
+        let propagates = x.ge(zero);
+        Self {
+            cos,
+            sin_squared,
+            a: T::select(propagates, larger, smaller),
+            b: T::select(propagates, smaller, larger),
+            modulus_squared,
+            modulus_fourth,
+            contrast: contrast.squared() + y_squared,
+        }
+    }
+
+    /// |u + q|⁴ = (h + u² + 2au)²; at grazing it is |N² − 1|² with the same bits.
+    #[inline(always)]
+    fn sum_fourth(&self) -> T {
+        let beyond = self.cos * (self.cos + self.a + self.a);
+        self.modulus_fourth + beyond * (self.modulus_squared + self.modulus_squared + beyond)
+    }
+
+    /// |u q|² + s⁴ and 2 a u s²: half the sum and a quarter of the difference of |u q ± s²|².
+    #[inline(always)]
+    fn parallel(&self) -> (T, T) {
+        let mean = self.cos.squared() * self.modulus_squared + self.sin_squared.squared();
+        (mean, (self.a + self.a) * self.cos * self.sin_squared)
+    }
+
+    /// (R_s + R_p)/2.
+    #[inline(always)]
+    pub(super) fn unpolarized(self) -> T {
+        let (mean, cross) = self.parallel();
+        let reflectance = self.contrast * mean / (self.sum_fourth() * (mean + cross));
+        // At most 1, but for rounding.
+        reflectance.min(T::lit(1.0))
+    }
+
+    #[inline(always)]
+    fn polarized(self) -> Polarized<T> {
+        let one = T::lit(1.0);
+        let (mean, cross) = self.parallel();
+        let s = (self.contrast / self.sum_fourth()).min(one);
+        let real = self.cos * self.a - self.sin_squared;
+        let imaginary = self.cos * self.b;
+        let ratio = (real.squared() + imaginary.squared()) / (mean + cross);
+        Polarized { s, p: s * ratio.min(one) }
+    }
+}
+
+/// 2 ∫₀¹ R μ dμ for one index.
+///
+/// For n < 1 and small k the reflectance has a kink near the critical angle. The integral is split
+/// there, and the nodes crowd there as squares.
+fn average<T: Real>(eta: T, k: T) -> T {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let split_squared = (one - (eta - k) * (eta + k)).clamp(zero, one);
+    let splits = split_squared.gt(zero);
+    let split = T::select(splits, T::select(splits, split_squared, one).sqrt(), zero);
+    let rest = one - split;
+    let weighted = |cos: T| Refraction::new(eta, k, cos).unpolarized() * cos;
+    let integral = integrate(zero, one, |root| {
+        let square = root * root;
+        let below = weighted(split * (one - square)) * split;
+        let above = weighted(split + rest * square) * rest;
+        (below + above) * root
+    });
+    (integral * T::lit(4.0)).min(one)
+}

@@ -1,0 +1,179 @@
+use super::{Dielectric, Fresnel};
+use crate::error::{ParameterError, range};
+use crate::real::{Color, Real};
+
+/// Hall's interpolation: the colour at normal incidence turns white towards grazing as the exact
+/// curve of a reference material does.
+///
+/// ```text
+/// F(θ) = F₀ + (1 − F₀) max{0, F_ref(θ) − F_ref(0)}/(1 − F_ref(0))
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | F₀ | `f0` | reflectance at normal incidence, per channel | 0 … 1 |
+/// | F_ref | `ior` or `reference` | exact reflectance at one reference wavelength | see there |
+///
+/// Reciprocal. Conserving: F₀ ≤ F ≤ 1. Exact for a channel whose F₀ is that of the reference,
+/// except where the reference dips below its normal incidence, as metals (and dielectrics with
+/// n > 3.7) do: the maximum, as printed, cuts the dip off. A reference that reflects everything at
+/// normal incidence gives 0/0; the answer is F₀ then.
+///
+/// Accuracy: the weight is a difference of reflectances, so it is off by up to
+/// 2ε/(1 − F_ref(0)) of the number's ε, absolutely. The average is the default quadrature.
+///
+/// R. Hall, *Illumination and Color in Computer Generated Imagery*, Springer 1989.
+///
+/// ```
+/// use brdf::{Conductor, Fresnel, Hall};
+/// use glam::Vec3;
+///
+/// let f0 = Vec3::new(0.95, 0.64, 0.54);
+/// let copper = Hall::new(f0, 1.5)?;
+/// assert_eq!(copper.reflectance(1.0), f0);
+/// assert_eq!(copper.reflectance(0.0), Vec3::ONE);
+///
+/// // Driven by copper's own curve at 548.6 nm.
+/// let copper = Hall::with_reference(f0, Conductor::new(1.02, 2.577)?)?;
+/// assert_eq!(copper.reflectance(1.0), f0);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hall<C = glam::Vec3, F = Dielectric<f32>> {
+    f0: C,
+    reference: F,
+}
+
+impl<C, T: Real> Hall<C, Dielectric<T>> {
+    /// A surface with the colour `f0` at normal incidence and the angular course of a transparent
+    /// medium of index `ior`.
+    ///
+    /// # Errors
+    /// If a channel of `f0` is not in 0 … 1, or `ior` not in 10⁻⁴ … 10⁴.
+    pub fn new(f0: C, ior: T) -> Result<Self, ParameterError>
+    where
+        C: Color<T>,
+    {
+        Self::with_reference(f0, Dielectric::new(ior)?)
+    }
+}
+
+impl<C, F> Hall<C, F> {
+    /// A surface with the colour `f0` at normal incidence and the angular course of `reference`,
+    /// for example a [`Conductor`](super::Conductor) at one wavelength.
+    ///
+    /// # Errors
+    /// If a channel of `f0` is not in 0 … 1.
+    pub fn with_reference<T: Real>(f0: C, reference: F) -> Result<Self, ParameterError>
+    where
+        C: Color<T>,
+        F: Fresnel<T, Color = T>,
+    {
+        ParameterError::check("f0", range::UNIT, |lower, upper| f0.outside(lower, upper))?;
+        Ok(Self { f0, reference })
+    }
+}
+
+impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
+    type Color = C;
+
+    #[inline]
+    fn reflectance(&self, cos_theta: T) -> C {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let normal = self.reference.reflectance(one);
+        let rise = (self.reference.reflectance(cos_theta) - normal).max(zero);
+        let room = one - normal;
+        let weight = rise / T::select(room.gt(zero), room, one);
+        self.f0.map(|f0| f0 + (one - f0) * weight)
+    }
+}
+
+/// Largest radiance of a light: its products with a reflectance stay far from overflow.
+const LIGHT: (f64, f64) = (0.0, 1e10);
+
+/// Cook and Torrance's interpolation: the colour of the reflected light turns from the colour at
+/// normal incidence into the colour of the light towards grazing.
+///
+/// ```text
+/// C(θ) = F₀ I + (I − F₀ I) max{0, F_ref(θ) − F_ref(0)}/(1 − F_ref(0))
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | F₀ | `f0` | reflectance at normal incidence, per channel | 0 … 1 |
+/// | I | `light` | colour of the light | 0 … 10¹⁰ |
+/// | F_ref | `ior` or `reference` | exact reflectance at one reference wavelength | see there |
+///
+/// **The answer is not a reflectance but the colour of reflected light.** It contains the light:
+/// do not multiply by the light again. It exceeds 1 where the light does. It equals the light
+/// times [`Hall`]'s reflectance. Printed with F(π/2) = I beside an F₀ that is a reflectance, the
+/// formula mixes the two: F₀ = 0.2, I = 0.5 and weight ½ give 0.35, times the light 0.175, where
+/// 0.30 is right. Here both ends are colours of reflected light.
+///
+/// Reciprocal. Conserving relative to the light: C ≤ I. The rest as for [`Hall`].
+///
+/// R. L. Cook, K. E. Torrance, *A Reflectance Model for Computer Graphics*, ACM Transactions on
+/// Graphics 1(1), 1982, doi:10.1145/357290.357293.
+///
+/// ```
+/// use brdf::{Cook, Fresnel};
+///
+/// let plastic = Cook::new(0.2_f64, 0.5, 1.5)?;
+/// assert_eq!(plastic.reflectance(1.0), 0.1);
+/// assert_eq!(plastic.reflectance(0.0), 0.5);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cook<C = glam::Vec3, F = Dielectric<f32>> {
+    reflectance: Hall<C, F>,
+    light: C,
+}
+
+impl<C, T: Real> Cook<C, Dielectric<T>> {
+    /// A surface with the colour `f0` at normal incidence and the angular course of a transparent
+    /// medium of index `ior`, under light of colour `light`.
+    ///
+    /// # Errors
+    /// If a channel of `f0` is not in 0 … 1, one of `light` not in 0 … 10¹⁰, or `ior` not in
+    /// 10⁻⁴ … 10⁴.
+    pub fn new(f0: C, light: C, ior: T) -> Result<Self, ParameterError>
+    where
+        C: Color<T>,
+    {
+        Self::with_reference(f0, light, Dielectric::new(ior)?)
+    }
+}
+
+impl<C, F> Cook<C, F> {
+    /// A surface with the colour `f0` at normal incidence and the angular course of `reference`,
+    /// for example a [`Conductor`](super::Conductor) at one wavelength, under light of colour
+    /// `light`.
+    ///
+    /// # Errors
+    /// If a channel of `f0` is not in 0 … 1 or a channel of `light` not in 0 … 10¹⁰.
+    pub fn with_reference<T: Real>(f0: C, light: C, reference: F) -> Result<Self, ParameterError>
+    where
+        C: Color<T>,
+        F: Fresnel<T, Color = T>,
+    {
+        let reflectance = Hall::with_reference(f0, reference)?;
+        ParameterError::check("light", LIGHT, |lower, upper| light.outside(lower, upper))?;
+        Ok(Self { reflectance, light })
+    }
+}
+
+impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Cook<C, F> {
+    type Color = C;
+
+    /// The colour of the reflected light.
+    #[inline]
+    fn reflectance(&self, cos_theta: T) -> C {
+        self.reflectance.reflectance(cos_theta) * self.light
+    }
+
+    /// The colour of the reflected light, averaged.
+    #[inline]
+    fn average(&self) -> C {
+        self.reflectance.average() * self.light
+    }
+}
