@@ -54,5 +54,6 @@ pub(in crate::real) fn exp_m1(x: f64) -> f64 {
     let sum = a + b;
     let error = b - (sum - a);
     let y = sum + (error + scale * rest);
-    if x.abs() < 1e-20 { x } else { y + y }
+    let y = y + y;
+    if x.abs() < 1e-20 { x } else { y }
 }

@@ -46,5 +46,6 @@ pub(in crate::real) fn exp_m1(x: f32) -> f32 {
     let sum = a + b;
     let error = b - (sum - a);
     let y = sum + (error + scale * rest);
-    if x.abs() < 1e-10 { x } else { y + y }
+    let y = y + y;
+    if x.abs() < 1e-10 { x } else { y }
 }

@@ -33,16 +33,18 @@ pub(in crate::real) fn sin_cos(x: f32) -> (f32, f32) {
     let (sin, cos) = (if swap { cos } else { sin }, if swap { sin } else { cos });
     let sin_sign = (quadrant & 2) << 30;
     let cos_sign = (quadrant.wrapping_add(1) & 2) << 30;
-    (f32::from_bits(sin.to_bits() ^ sin_sign), f32::from_bits(cos.to_bits() ^ cos_sign))
+    let sin = f32::from_bits(sin.to_bits() ^ sin_sign);
+    let sin = if x == 0.0 { x } else { sin };
+    (sin, f32::from_bits(cos.to_bits() ^ cos_sign))
 }
 
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, reason = "the one rounding of the result")]
 pub(in crate::real) fn tan(x: f32) -> f32 {
-    let x = f64::from(x);
-    let shifted = x * core::f64::consts::FRAC_2_PI + ROUND_WIDE;
+    let wide = f64::from(x);
+    let shifted = wide * core::f64::consts::FRAC_2_PI + ROUND_WIDE;
     let n = shifted - ROUND_WIDE;
-    let r = (x - n * 1.5707963267341256) - n * 6.077100506506192e-11;
+    let r = (wide - n * 1.5707963267341256) - n * 6.077100506506192e-11;
     let limit = f64::from(LIMIT);
     let r = if r > limit { limit } else { r };
     let r = if r < -limit { -limit } else { r };
@@ -64,5 +66,6 @@ pub(in crate::real) fn tan(x: f32) -> f32 {
     let odd = shifted.to_bits() & 1 == 1;
     let numerator = if odd { -cos } else { sin };
     let denominator = if odd { sin } else { cos };
-    (numerator / denominator) as f32
+    let y = (numerator / denominator) as f32;
+    if x == 0.0 { x } else { y }
 }
