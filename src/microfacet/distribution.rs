@@ -1,19 +1,20 @@
 //! What a distribution of facet normals can do.
 
+use alloc::boxed::Box;
+
 use crate::real::Real;
 
 /// A distribution of facet normals, D(h) in sr⁻¹, normalised to ∫ D(h) (N·h) dω_h = 1.
 ///
-/// D(h) is the same for `h` and its mirror image across the normal, (−h_x, −h_y, h_z).
+/// D(h) is the same for `h` and its mirror image across the normal, (−h_x, −h_y, h_z). The trait is
+/// object safe.
 pub trait Distribution<T: Real = f32>: Send + Sync {
-    /// D(h) for a unit `h`; zero where `h` lies below the surface.
+    /// D(h) for a unit `h`; zero where `h` lies below the surface. Finite and never negative for
+    /// any finite `h`.
     fn density(&self, h: T::Vec3) -> T;
 
-    /// Draws `h` with density D(h) (N·h) from two uniform numbers in [0, 1).
-    ///
-    /// The first number decides the slopes s_x and s_y, the second is the azimuth:
-    /// (h_x, h_y)/h_z = (s_x cos 2πu₁, s_y sin 2πu₁). [`VCavity`](crate::VCavity) draws visible
-    /// normals of any distribution by this.
+    /// Draws `h` with density D(h) (N·h) from two uniform numbers in [0, 1). It is a unit vector
+    /// that does not lie below the surface, whatever the numbers.
     fn sample(&self, u: [T; 2]) -> T::Vec3;
 }
 
@@ -23,6 +24,36 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     /// projected facet area) becomes when multiplied by N·w. Stays finite at grazing.
     fn lambda_cos(&self, w: T::Vec3) -> T;
 
-    /// Draws `h` with the density of the normals visible from `wo`, G₁(wo) (wo·h) D(h) / (N·wo).
+    /// Draws `h` with the density of the normals visible from `wo`, G₁(wo) (wo·h) D(h) / (N·wo),
+    /// from two uniform numbers in [0, 1). It is a unit vector that does not lie below the surface.
+    /// A `wo` that is no direction above the surface counts as the normal.
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 }
+
+macro_rules! forward {
+    ($pointer:ty) => {
+        impl<T: Real, D: Distribution<T> + ?Sized> Distribution<T> for $pointer {
+            #[inline]
+            fn density(&self, h: T::Vec3) -> T {
+                (**self).density(h)
+            }
+            #[inline]
+            fn sample(&self, u: [T; 2]) -> T::Vec3 {
+                (**self).sample(u)
+            }
+        }
+
+        impl<T: Real, D: Smith<T> + ?Sized> Smith<T> for $pointer {
+            #[inline]
+            fn lambda_cos(&self, w: T::Vec3) -> T {
+                (**self).lambda_cos(w)
+            }
+            #[inline]
+            fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+                (**self).sample_visible(wo, u)
+            }
+        }
+    };
+}
+forward!(Box<D>);
+forward!(&D);

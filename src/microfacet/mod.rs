@@ -1,9 +1,13 @@
 //! Surfaces of many small mirrors: distribution of their normals, shadowing, reflection.
 
 mod beckmann;
+mod blinn;
+mod blinn_1977;
 mod cook_torrance;
 mod distribution;
+mod gaussian;
 mod ggx;
+mod mixture;
 mod normal_slopes;
 mod roughness;
 mod shadowing;
@@ -11,9 +15,13 @@ mod smith;
 mod v_cavity;
 
 pub use beckmann::Beckmann;
+pub use blinn::Blinn;
+pub use blinn_1977::Blinn1977;
 pub use cook_torrance::CookTorrance;
 pub use distribution::{Distribution, Smith};
+pub use gaussian::Gaussian;
 pub use ggx::Ggx;
+pub use mixture::Mixture;
 pub use shadowing::Shadowing;
 pub use smith::{SmithCorrelated, SmithSeparable};
 pub use v_cavity::VCavity;

@@ -1,0 +1,106 @@
+use core::f64::consts::{FRAC_1_PI, TAU};
+
+use super::distribution::Distribution;
+use crate::error::{ParameterError, range};
+use crate::real::{Real, Vector};
+
+/// A power of the cosine: the distribution behind the lobes of Phong and Blinn.
+///
+/// ```text
+/// D = (n + 2)/(2π) cosⁿα
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | α | | angle between h and the normal | 0 … π/2 |
+/// | n | `exponent` | sharpness; 0 makes D constant, large n a mirror | 0 … 10⁸ |
+///
+/// Normalised, ∫ D cosα dω = 1. Blinn's own D₁ is the same power with maximum 1 instead, see
+/// [`Blinn1977`](crate::microfacet::Blinn1977). cosⁿα is computed as (1 + tan²α)^(−n/2), which
+/// keeps its digits close to the normal, where large exponents live.
+///
+/// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
+/// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893); normalised as in B. Walter
+/// et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 30.
+///
+/// ```
+/// use brdf::{Blinn, Distribution};
+/// use glam::DVec3;
+///
+/// let blinn = Blinn::new(10.0)?;
+/// assert!((blinn.density(DVec3::Z) - 1.9098593171).abs() < 1e-10); // (n + 2)/(2π)
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blinn<T = f32> {
+    exponent: T,
+}
+
+impl<T: Real> Blinn<T> {
+    /// The distribution with the given exponent.
+    ///
+    /// # Errors
+    /// If `exponent` is not in 0 … 10⁸.
+    pub fn new(exponent: T) -> Result<Self, ParameterError> {
+        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
+            exponent.outside(lower, upper)
+        })?;
+        Ok(Self { exponent })
+    }
+
+    /// The distribution that peaks as high as Beckmann's of roughness m: n = 2/m² − 2. For small m
+    /// the two agree everywhere.
+    ///
+    /// ```
+    /// use brdf::{Beckmann, Blinn, Distribution};
+    /// use glam::DVec3;
+    ///
+    /// let (blinn, beckmann) = (Blinn::from_roughness(0.01)?, Beckmann::new(0.01)?);
+    /// let h = DVec3::new(0.01, 0.0, 1.0).normalize();
+    /// assert!((blinn.density(h) / beckmann.density(h) - 1.0).abs() < 2e-4);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If `roughness` is not in 0.00015 … 1; beyond 1 the exponent would be negative.
+    pub fn from_roughness(roughness: T) -> Result<Self, ParameterError> {
+        ParameterError::check("roughness", (1.5e-4, 1.0), |lower, upper| {
+            roughness.outside(lower, upper)
+        })?;
+        let one = T::lit(1.0);
+        let cos_squared = (one - roughness) * (one + roughness);
+        Self::new(T::lit(2.0) * cos_squared / roughness.squared())
+    }
+
+    /// The exponent of the cosine.
+    #[must_use]
+    pub fn exponent(&self) -> T {
+        self.exponent
+    }
+}
+
+impl<T: Real> Distribution<T> for Blinn<T> {
+    #[inline]
+    fn density(&self, h: T::Vec3) -> T {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let above = h.z().gt(zero);
+        let cos = T::select(above, h.z(), one);
+        let tan_squared = (h.x() / cos).squared() + (h.y() / cos).squared();
+        // Saturates at grazing angles too small for the number, to keep 0·∞ from n = 0.
+        let ln_cos = T::lit(-0.5) * tan_squared.min(T::max_finite()).ln_1p();
+        let peak = (self.exponent + T::lit(2.0)) * T::lit(0.5 * FRAC_1_PI);
+        T::select(above, peak * (self.exponent * ln_cos).exp(), zero)
+    }
+
+    #[inline]
+    fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        // cosθ = (1 − u₀)^(1/(n + 2)) through its logarithm, which gives sinθ all its digits.
+        // exp(−85) is the least power that every number can represent.
+        let ln = (-u[0].clamp(zero, one)).ln_1p().max(T::lit(-85.0));
+        let ln_cos = ln / (self.exponent + T::lit(2.0));
+        let sin = (-(ln_cos + ln_cos).exp_m1()).max(zero).sqrt();
+        let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
+        Vector::new(sin * cos_phi, sin * sin_phi, ln_cos.exp())
+    }
+}

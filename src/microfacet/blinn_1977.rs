@@ -1,0 +1,105 @@
+use core::f64::consts::{LN_2, SQRT_2};
+
+use crate::error::ParameterError;
+use crate::real::Real;
+
+/// The three distributions that Blinn compared in 1977, as printed: not normalised, with maximum
+/// 1, and scaled so that all of them fall to ½ at the same angle β.
+///
+/// ```text
+/// D₁ = cos^c₁ α                              c₁ = −ln 2/ln cosβ      Phong
+/// D₂ = exp(−(c₂ α)²)                         c₂ = √(ln 2)/β          Torrance–Sparrow
+/// D₃ = (c₃²/(cos²α (c₃² − 1) + 1))²          c₃² = (cos²β − 1)/(cos²β − √2)   Trowbridge–Reitz
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | α | `alpha` | angle between the half vector and the normal, radians | 0 … π/2 |
+/// | β | `beta` | angle at which D = ½, radians | 10⁻⁴ … 1.57 |
+///
+/// For reflection use the normalised forms: [`Blinn`](crate::Blinn) with exponent c₁,
+/// [`Gaussian`](crate::Gaussian) with roughness 1/c₂, [`Ggx`](crate::Ggx) with roughness c₃, which
+/// is D₃/(π c₃²). Beyond π/2 all three are zero.
+///
+/// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
+/// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
+///
+/// ```
+/// use brdf::microfacet::Blinn1977;
+///
+/// let blinn = Blinn1977::new(0.3_f64)?;
+/// assert!((blinn.d1(0.3) - 0.5).abs() < 1e-15);
+/// assert!((blinn.d2(0.3) - 0.5).abs() < 1e-15);
+/// assert!((blinn.d3(0.3) - 0.5).abs() < 1e-15);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blinn1977<T = f32> {
+    c1: T,
+    c2: T,
+    c3_squared: T,
+}
+
+impl<T: Real> Blinn1977<T> {
+    /// The three distributions with the given half-width angle in radians.
+    ///
+    /// # Errors
+    /// If `beta` is not in 10⁻⁴ … 1.57.
+    pub fn new(beta: T) -> Result<Self, ParameterError> {
+        ParameterError::check("beta", (1e-4, 1.57), |lower, upper| beta.outside(lower, upper))?;
+        let sin_squared = beta.sin().squared();
+        Ok(Self {
+            c1: T::lit(2.0 * LN_2) / beta.tan().squared().ln_1p(),
+            c2: T::lit(LN_2.sqrt()) / beta,
+            c3_squared: sin_squared / (T::lit(SQRT_2 - 1.0) + sin_squared),
+        })
+    }
+
+    /// The exponent of D₁.
+    #[must_use]
+    pub fn c1(&self) -> T {
+        self.c1
+    }
+
+    /// The inverse of the angle in radians at which D₂ falls to 1/e.
+    #[must_use]
+    pub fn c2(&self) -> T {
+        self.c2
+    }
+
+    /// The eccentricity of the ellipsoid of D₃: 0 for a mirror, 1 for a sphere.
+    #[must_use]
+    pub fn c3(&self) -> T {
+        self.c3_squared.sqrt()
+    }
+
+    /// Phong's power of the cosine.
+    #[inline]
+    #[must_use]
+    pub fn d1(&self, alpha: T) -> T {
+        let (sin, cos) = alpha.sin_cos();
+        let above = cos.gt(T::lit(0.0));
+        let tan_squared = (sin / T::select(above, cos, T::lit(1.0))).squared();
+        let power = (T::lit(-0.5) * self.c1 * tan_squared.ln_1p()).exp();
+        T::select(above, power, T::lit(0.0))
+    }
+
+    /// Torrance and Sparrow's normal distribution of the angle.
+    #[inline]
+    #[must_use]
+    pub fn d2(&self, alpha: T) -> T {
+        let above = alpha.cos().gt(T::lit(0.0));
+        let exponent = (self.c2 * alpha).squared().min(T::lit(1e4));
+        T::select(above, (-exponent).exp(), T::lit(0.0))
+    }
+
+    /// Trowbridge and Reitz's ellipsoids.
+    #[inline]
+    #[must_use]
+    pub fn d3(&self, alpha: T) -> T {
+        let (sin, cos) = alpha.sin_cos();
+        // cos²α (c₃² − 1) + 1 without the difference.
+        let sum = sin.squared() + self.c3_squared * cos.squared();
+        T::select(cos.gt(T::lit(0.0)), (self.c3_squared / sum).squared(), T::lit(0.0))
+    }
+}

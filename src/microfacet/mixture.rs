@@ -1,0 +1,137 @@
+use super::distribution::{Distribution, Smith};
+use crate::error::{ParameterError, range};
+use crate::real::{Mask, Real, Vector};
+
+/// A weighted mean of distributions: surfaces with roughness on several scales.
+///
+/// ```text
+/// D = Σ wᵢ Dᵢ,  Λ = Σ wᵢ Λᵢ,  Σ wᵢ = 1
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | wᵢ | first of each pair | weight, divided by the sum of all | 0 … 10³⁰, not all 0 |
+/// | Dᵢ | second of each pair | distribution | |
+///
+/// Normalised, because its terms are. Cook and Torrance mix Beckmann distributions in this way.
+/// The facets of kind i that are visible from ω take up the part wᵢ (1 + Λᵢ)/(1 + Λ) of what is
+/// visible, and not wᵢ: visible normals are drawn with these probabilities, which is exact.
+///
+/// R. L. Cook, K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1), 1982,
+/// [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293), section 4.
+///
+/// ```
+/// use brdf::{Beckmann, Distribution, Mixture};
+/// use glam::DVec3;
+///
+/// let mixture = Mixture::new([(0.4, Beckmann::new(0.2)?), (0.6, Beckmann::new(0.5)?)])?;
+/// assert!((mixture.density(DVec3::Z) - 3.9470425887).abs() < 1e-10);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mixture<T, D, const N: usize> {
+    weights: [T; N],
+    distributions: [D; N],
+}
+
+impl<T: Real, D, const N: usize> Mixture<T, D, N> {
+    /// A mixture of distributions with their weights.
+    ///
+    /// # Errors
+    /// If a weight is not in 0 … 10³⁰ or the sum of the weights is not in 10⁻³⁰ … 10³⁰.
+    pub fn new(components: [(T, D); N]) -> Result<Self, ParameterError> {
+        let weights = components.each_ref().map(|(weight, _)| *weight);
+        let mut total = T::lit(0.0);
+        for weight in weights {
+            ParameterError::check("weight", range::WEIGHT, |lower, upper| {
+                weight.outside(lower, upper)
+            })?;
+            total = total + weight;
+        }
+        ParameterError::check("sum of weights", range::TOTAL_WEIGHT, |lower, upper| {
+            total.outside(lower, upper)
+        })?;
+        Ok(Self {
+            weights: weights.map(|weight| weight / total),
+            distributions: components.map(|(_, distribution)| distribution),
+        })
+    }
+
+    /// The weights, whose sum is 1.
+    #[must_use]
+    pub fn weights(&self) -> &[T; N] {
+        &self.weights
+    }
+
+    /// The distributions, in the order of the weights.
+    #[must_use]
+    pub fn distributions(&self) -> &[D; N] {
+        &self.distributions
+    }
+
+    /// Σ wᵢ `term`(Dᵢ).
+    #[inline(always)]
+    fn sum(&self, term: impl Fn(&D) -> T) -> T {
+        let mut sum = T::lit(0.0);
+        for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
+            sum = sum + weight * term(distribution);
+        }
+        sum
+    }
+
+    /// Chooses a distribution with the given probabilities by `u[0]`, and hands it the place of
+    /// `u[0]` within its part as a fresh uniform number. Every distribution draws, one is taken.
+    #[inline(always)]
+    fn choose(
+        &self,
+        probabilities: [T; N],
+        u: [T; 2],
+        draw: impl Fn(&D, [T; 2]) -> T::Vec3,
+    ) -> T::Vec3 {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let mut start = zero;
+        let mut chosen: T::Vec3 = Vector::new(zero, zero, one);
+        for (probability, distribution) in probabilities.into_iter().zip(&self.distributions) {
+            let place = (u[0] - start) / probability.max(T::lit(1e-37));
+            let drawn = draw(distribution, [place.clamp(zero, one), u[1]]);
+            // A later distribution replaces an earlier one, so that rounding of the sum of
+            // probabilities leaves no gap at the end.
+            let reached = u[0].ge(start).and(probability.gt(zero));
+            chosen = Vector::select(reached, drawn, chosen);
+            start = start + probability;
+        }
+        chosen
+    }
+}
+
+impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T, D, N> {
+    #[inline]
+    fn density(&self, h: T::Vec3) -> T {
+        self.sum(|distribution| distribution.density(h)).min(T::max_finite())
+    }
+
+    #[inline]
+    fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        self.choose(self.weights, u, |distribution, u| distribution.sample(u))
+    }
+}
+
+impl<T: Real, D: Smith<T>, const N: usize> Smith<T> for Mixture<T, D, N> {
+    #[inline]
+    fn lambda_cos(&self, w: T::Vec3) -> T {
+        self.sum(|distribution| distribution.lambda_cos(w)).min(T::max_finite())
+    }
+
+    #[inline]
+    fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        // 1/G₁ = Σ wᵢ/G₁ᵢ, hence G₁ (wo·h) D/cos = Σ (wᵢ G₁/G₁ᵢ) times the same of component i.
+        let cos = wo.z().max(T::lit(0.0));
+        let visible = self.distributions.each_ref().map(|each| cos + each.lambda_cos(wo));
+        let all = (cos + self.lambda_cos(wo)).max(T::lit(1e-37));
+        let mut probabilities = self.weights;
+        for (probability, visible) in probabilities.iter_mut().zip(visible) {
+            *probability = *probability * (visible / all);
+        }
+        self.choose(probabilities, u, |distribution, u| distribution.sample_visible(wo, u))
+    }
+}
