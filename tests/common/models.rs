@@ -1,8 +1,9 @@
 //! Every model with representative parameters, in any number: what the tests run over.
 
 use brdf::{
-    BlinnPhong, Brdf, ClassicPhong, Lambert, OrenNayar, ParameterError, Phong, Real, SchlickPower,
-    Vector, WeightedSum,
+    Beckmann, BlinnPhong, Brdf, ClassicPhong, Conductor, Constant, Cook, CookTorrance, Dielectric,
+    Ggx, Hall, Lambert, OrenNayar, ParameterError, Phong, Real, Schlick, SchlickPower,
+    SmithCorrelated, SmithSeparable, Vector, WeightedSum,
 };
 
 /// One model under test.
@@ -13,13 +14,22 @@ pub struct Entry<T: Real> {
     pub reciprocal: bool,
     /// Directional albedo never above 1.
     pub conserving: bool,
-    /// Largest relative difference of `f32` from `f64`.
-    pub precision: f64,
+    /// Largest relative difference of `f32` from `f64` down to 1e-3 of the largest value, and
+    /// down to 1e-12.
+    pub lobe_precision: f64,
+    pub tail_precision: f64,
 }
 
 impl<T: Real> Entry<T> {
     fn new(name: &'static str, model: impl Brdf<T, Color = T::Vec3> + 'static) -> Self {
-        Self { name, model: Box::new(model), reciprocal: true, conserving: true, precision: 2e-6 }
+        Self {
+            name,
+            model: Box::new(model),
+            reciprocal: true,
+            conserving: true,
+            lobe_precision: 2e-6,
+            tail_precision: 2e-6,
+        }
     }
 
     fn not_reciprocal(mut self) -> Self {
@@ -32,15 +42,18 @@ impl<T: Real> Entry<T> {
         self
     }
 
-    fn precision(mut self, precision: f64) -> Self {
-        self.precision = precision;
+    fn precision(mut self, lobe: f64, tail: f64) -> Self {
+        self.lobe_precision = lobe;
+        self.tail_precision = tail;
         self
     }
 }
 
 /// All models.
 pub fn all<T: Real>() -> Vec<Entry<T>> {
-    build().expect("the parameters are in range")
+    let mut models = lobes().expect("the parameters are in range");
+    models.extend(microfacets().expect("the parameters are in range"));
+    models
 }
 
 /// A literal that `f32` and `f64` round alike, so that they can be compared.
@@ -53,7 +66,7 @@ fn rgb<T: Real>(r: f64, g: f64, b: f64) -> T::Vec3 {
     Vector::new(lit(r), lit(g), lit(b))
 }
 
-fn build<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
+fn lobes<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
     let (lit, rgb) = (lit::<T>, rgb::<T>);
     let sum = {
         let terms: [(T::Vec3, Box<dyn Brdf<T, Color = T::Vec3>>); 3] = [
@@ -63,8 +76,9 @@ fn build<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
         ];
         WeightedSum::new(terms)?
     };
-    // Powers lose digits down their flank, as 1 + n (1 − S)/S, and all lobes where the cosine S of
-    // the angle to the mirror direction cancels to nearly 0.
+    // The rounding of N·H or R·V comes back multiplied by the logarithm of the power, 7 at the edge
+    // of the lobe. Where R·V passes through 0 its relative error grows without bound, and a lobe
+    // that is broad enough to have a value there follows it.
     Ok(vec![
         Entry::new("Lambert", Lambert::new(rgb(0.8, 0.5, 0.2))?),
         Entry::new("Oren-Nayar", OrenNayar::new(rgb(1.0, 0.5, 0.2), lit(0.3))?).not_conserving(),
@@ -72,31 +86,84 @@ fn build<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
             "Oren-Nayar with interreflection",
             OrenNayar::with_interreflection(rgb(0.9, 0.5, 0.2), lit(0.5))?,
         ),
-        Entry::new("Phong 10", Phong::new(rgb(1.0, 0.9, 0.8), lit(10.0))?).precision(5e-5),
-        Entry::new("Phong 2000", Phong::new(rgb(1.0, 0.9, 0.8), lit(2000.0))?).precision(1e-5),
+        Entry::new("Phong 10", Phong::new(rgb(1.0, 0.9, 0.8), lit(10.0))?).precision(2e-6, 5e-5),
+        Entry::new("Phong 2000", Phong::new(rgb(1.0, 0.9, 0.8), lit(2000.0))?)
+            .precision(2e-6, 1e-5),
         Entry::new("classic Phong 3", ClassicPhong::new(rgb(1.0, 0.9, 0.8), lit(3.0))?)
             .not_reciprocal()
             .not_conserving()
-            .precision(3e-4),
+            .precision(2e-6, 3e-4),
         Entry::new("Blinn-Phong 40", BlinnPhong::new(rgb(1.0, 0.9, 0.8), lit(40.0))?)
-            .precision(2e-5),
+            .precision(4e-6, 2e-5),
         Entry::new("Blinn-Phong 1e5", BlinnPhong::new(rgb(1.0, 0.9, 0.8), lit(1e5))?)
-            .precision(2e-5),
+            .precision(4e-6, 2e-5),
         Entry::new(
             "unnormalised Blinn-Phong 5",
             BlinnPhong::unnormalized(rgb(1.0, 0.9, 0.8), lit(5.0))?,
         )
         .not_conserving(),
         Entry::new("Schlick's power 10", SchlickPower::new(rgb(1.0, 0.9, 0.8), lit(10.0))?)
-            .precision(2e-4),
+            .precision(2e-5, 2e-4),
         Entry::new("Schlick's power 1000", SchlickPower::new(rgb(1.0, 0.9, 0.8), lit(1000.0))?)
-            .precision(2e-4),
+            .precision(2e-6, 2e-4),
         Entry::new(
             "unnormalised Schlick's power 2",
             SchlickPower::unnormalized(rgb(1.0, 0.9, 0.8), lit(2.0))?,
         )
         .not_conserving()
-        .precision(2e-4),
+        .precision(5e-5, 2e-4),
         Entry::new("weighted sum", sum),
+    ])
+}
+
+fn microfacets<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
+    let (lit, rgb) = (lit::<T>, rgb::<T>);
+    let white = || Constant::new(rgb(1.0, 1.0, 1.0));
+    let gold = || Conductor::new(rgb(0.143, 0.374, 1.442), rgb(3.983, 2.386, 1.603));
+    let glass = || Dielectric::new(rgb(1.5, 1.5, 1.5));
+    let plastic = || Schlick::new(rgb(0.04, 0.05, 0.06));
+    // In the tail of an exponential the rounding of its argument counts as often as the argument is
+    // large: 27 where the value has fallen to 1e-12.
+    let tail = 1.2e-5;
+    Ok(vec![
+        Entry::new("Beckmann 0.25, gold", CookTorrance::new(Beckmann::new(lit(0.25))?, gold()?))
+            .precision(2e-6, tail),
+        Entry::new("Beckmann 1, white", CookTorrance::new(Beckmann::new(lit(1.0))?, white()?))
+            .precision(2e-6, tail),
+        Entry::new(
+            "Beckmann 0.01, Smith, plastic",
+            CookTorrance::new(Beckmann::new(lit(0.01))?, plastic()?)
+                .with_shadowing(SmithCorrelated),
+        )
+        .precision(2e-6, tail),
+        Entry::new(
+            "Beckmann 0.1 0.5, Smith separable, Hall",
+            CookTorrance::new(
+                Beckmann::anisotropic(lit(0.1), lit(0.5))?,
+                Hall::new(rgb(0.95, 0.64, 0.54), lit(1.5))?,
+            )
+            .with_shadowing(SmithSeparable),
+        )
+        .precision(2e-6, tail),
+        Entry::new(
+            "GGX 0.3, Smith, gold",
+            CookTorrance::new(Ggx::new(lit(0.3))?, gold()?).with_shadowing(SmithCorrelated),
+        ),
+        Entry::new(
+            "GGX 1, Smith separable, white",
+            CookTorrance::new(Ggx::new(lit(1.0))?, white()?).with_shadowing(SmithSeparable),
+        ),
+        Entry::new(
+            "GGX 0.05 0.4, Smith, glass",
+            CookTorrance::new(Ggx::anisotropic(lit(0.05), lit(0.4))?, glass()?)
+                .with_shadowing(SmithCorrelated),
+        ),
+        Entry::new(
+            "GGX 0.001, Cook",
+            CookTorrance::new(
+                Ggx::new(lit(0.001))?,
+                Cook::new(rgb(0.9, 0.6, 0.3), rgb(1.0, 0.9, 0.8), lit(1.5))?,
+            ),
+        ),
     ])
 }
