@@ -27,8 +27,9 @@ use crate::real::{Color, Real};
 ///
 /// The differences in the textbook's formulas are evaluated as sums, p − q = (n₁² − n₂²)/(p + q),
 /// so that the answer keeps its digits for n near 1 and near the normal: in `f32` R stays within
-/// 1·10⁻⁶ relative of the exact value, except close to the critical angle, where the slope of R
-/// is infinite and R is off by at most 2ε min(n₁², n₂²)/(n₁ q) with ε = 6·10⁻⁸.
+/// 1.2·10⁻⁶ relative of the exact value, except where |q²| < n₂²/10, close to the critical angle.
+/// There the slope of R is infinite, and q² is off by about ε min(n₂², |n₂² − n₁²|), which makes
+/// R off by that over q times 4/p + 2c/(n₁ s²): a few 10⁻⁶ next to the critical angle, 10⁻³ at it.
 ///
 /// The average is exact up to rounding; see [`average`](Fresnel::average).
 ///
@@ -182,5 +183,6 @@ fn average<T: Real>(ior: T) -> T {
     });
     let p = rho * one_minus_rho * T::lit(0.5) * length * integral;
     let outside = (s + p) * T::lit(0.5);
-    T::select(inside, (one - ior) * (one + ior) + ior * ior * outside, outside)
+    // At most 1, but for rounding.
+    T::select(inside, (one - ior) * (one + ior) + ior * ior * outside, outside).min(one)
 }

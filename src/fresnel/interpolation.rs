@@ -1,4 +1,4 @@
-use super::{Dielectric, Fresnel};
+use super::{Dielectric, Fresnel, average_over_cosine};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Real};
 
@@ -85,6 +85,11 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
         let room = one - normal;
         let weight = rise / T::select(room.gt(zero), room, one);
         self.f0.map(|f0| f0 + (one - f0) * weight)
+    }
+
+    fn average(&self) -> C {
+        // At most 1, but for rounding.
+        average_over_cosine(|cos| self.reflectance(cos)).map(|average| average.min(T::lit(1.0)))
     }
 }
 

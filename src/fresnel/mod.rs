@@ -44,11 +44,17 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     /// By default 48 Gauss–Legendre nodes in √μ, which crowd near grazing, where a reflectance
     /// changes fastest.
     fn average(&self) -> Self::Color {
-        integrate(T::lit(0.0), T::lit(1.0), |root| {
-            let cos = root * root;
-            self.reflectance(cos) * (cos * root * T::lit(4.0))
-        })
+        average_over_cosine(|cos| self.reflectance(cos))
     }
+}
+
+/// 2 ∫₀¹ F(μ) μ dμ by quadrature over √μ.
+#[inline]
+fn average_over_cosine<T: Real, C: Color<T>>(reflectance: impl Fn(T) -> C) -> C {
+    integrate(T::lit(0.0), T::lit(1.0), |root| {
+        let cos = root * root;
+        reflectance(cos) * (cos * root * T::lit(4.0))
+    })
 }
 
 /// The cosine of a surface with one side: |cosθ|, and at most 1 although rounding of a scalar

@@ -18,7 +18,7 @@ use crate::real::{Color, Real};
 /// side, and 1 in total reflection; use [`Dielectric`](super::Dielectric) there.
 ///
 /// The original claims an error below 1 %. That holds for the mean absolute error only, for
-/// dielectrics with 1.33 < n < 1.6; against the exact curve it is
+/// dielectrics with 1.4 ≤ n ≤ 1.6; against the exact curve it is
 ///
 /// | n | 1.1 | 1.2 | 1.33 | 1.4 | 1.5 | 1.8 | 2 | 2.5 | 3 |
 /// |---|---|---|---|---|---|---|---|---|---|
@@ -30,7 +30,7 @@ use crate::real::{Color, Real};
 /// 0.1978 (chromium).
 ///
 /// C. Schlick, *An Inexpensive BRDF Model for Physically-based Rendering*, Computer Graphics Forum
-/// 13(3), 1994, equation 15, doi:10.1111/1467-8659.1330233.
+/// 13(3), 1994, doi:10.1111/1467-8659.1330233.
 ///
 /// ```
 /// use brdf::{Fresnel, Schlick};

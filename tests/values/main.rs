@@ -5,4 +5,5 @@ mod common;
 
 mod directions;
 mod distributions;
+mod fresnel;
 mod lobes;

@@ -1,0 +1,9 @@
+//! Limits, equivalent forms and published mistakes of every model.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod fresnel;
+mod fresnel_approximations;
+mod fresnel_errata;
+mod fresnel_precision;
