@@ -76,7 +76,7 @@ pub(crate) mod range {
     /// Standard deviation of the tilt of facets, radians: up to π/2, as `f32` rounds it.
     pub(crate) const SIGMA: (f64, f64) = (0.0, core::f32::consts::FRAC_PI_2 as f64);
     /// Weight of a term of a sum.
-    pub(crate) const WEIGHT: (f64, f64) = (0.0, 1e30);
+    pub(crate) const WEIGHT: (f64, f64) = (0.0, 1e10);
     /// Sum of the weights, averaged over the channels: what probabilities are made from.
     pub(crate) const TOTAL_WEIGHT: (f64, f64) = (1e-30, 1e30);
     /// Exponent of a power of a cosine.

@@ -12,7 +12,7 @@ use crate::real::{Color, Mask, Real, Vector};
 ///
 /// | symbol | meaning | range |
 /// |---|---|---|
-/// | wₖ | weight of a term, per channel | 0 … 10³⁰ |
+/// | wₖ | weight of a term, per channel | 0 … 10¹⁰ |
 /// | fₖ | any model, also `Box<dyn Brdf<Color = …>>` or another sum | |
 ///
 /// Reciprocal if all terms are. Conserving if all terms are and the weights of each channel add up
@@ -47,7 +47,7 @@ impl<M, C, T> WeightedSum<M, C, T> {
     /// The sum of the given (weight, model) pairs.
     ///
     /// # Errors
-    /// If there is no term, if a channel of a `weight` is not in 0 … 10³⁰, or if the
+    /// If there is no term, if a channel of a `weight` is not in 0 … 10¹⁰, or if the
     /// `total weight`, averaged over the channels, is 0 or (below 10⁻³⁰) as good as that.
     pub fn new(terms: impl IntoIterator<Item = (C, M)>) -> Result<Self, ParameterError>
     where

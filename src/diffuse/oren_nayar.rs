@@ -26,7 +26,7 @@ use crate::sampling::cosine_hemisphere;
 /// in its place, in A alone, to make up for part of it:
 /// [`with_interreflection`](Self::with_interreflection). These are two values and no range.
 ///
-/// Reciprocal. σ = 0 is [`Lambert`](crate::Lambert), to the last bit. **Not** conserving: the
+/// Reciprocal, to the last bit. σ = 0 is [`Lambert`](crate::Lambert), to the last bit. **Not** conserving: the
 /// directional albedo rises from ρA at normal incidence to ρ(A + B/2) at grazing, at most 1.0152 ρ
 /// (σ = 0.199), with interreflection 1.0444 ρ (σ = 0.291); with ρ ≤ 0.95 all energy balances. f
 /// grows without bound, as tanβ, where both directions graze; the radiance f cosθᵢ does not.

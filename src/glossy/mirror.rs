@@ -1,6 +1,6 @@
 //! Lobes around the mirror direction.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{FRAC_1_PI, TAU};
 
 use crate::direction::above_surface;
 use crate::frame::Frame;
@@ -37,6 +37,20 @@ pub(super) fn around_mirror<T: Real>(wo: T::Vec3, versine: T, turn: T) -> T::Vec
         sin * sin_phi,
         T::lit(1.0) - versine,
     ))
+}
+
+/// The mean of max(0, cosθᵢ) over the directions at an angle of given 1 − cos from the mirror
+/// direction of a viewer at (`sin_o`, `cos_o`); the angle no larger than a right one.
+#[inline(always)]
+pub(super) fn mean_cosine<T: Real>(sin_o: T, cos_o: T, versine: T) -> T {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let center = cos_o * (one - versine);
+    let swing = sin_o * (versine * (T::lit(2.0) - versine)).max(zero).sqrt();
+    // A circle around the mirror direction lies above the surface as a whole, or is cut.
+    let cut = swing.gt(center);
+    let turn = T::select(cut, -center / T::select(cut, swing, one), one).acos();
+    let arc = (swing * swing - center * center).max(zero).sqrt();
+    T::select(cut, (turn * center + arc) * T::lit(FRAC_1_PI), center)
 }
 
 /// 1 − cos of an angle drawn with density (n + 1)/(2π) cosⁿ per steradian.

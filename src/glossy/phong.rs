@@ -16,7 +16,7 @@ use crate::real::{Color, Mask, Real, Vector};
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
 /// | kₛ | `specular` | directional albedo at normal incidence | 0 … 1 |
-/// | n | `exponent` | sharpness of the lobe; 0 is Lambert's constant | 0 … 10⁸ |
+/// | n | `exponent` | sharpness of the lobe; for 0 it is a constant, where R·V > 0 | 0 … 10⁸ |
 ///
 /// Reciprocal, to the last bit. Conserving: the directional albedo is kₛ at normal incidence and
 /// falls from there, since part of the lobe sinks below the surface (n = 10: 1, 0.866, 0.505,

@@ -1,4 +1,4 @@
-//! Limits, equivalent forms and published mistakes of every model.
+//! Limits, equivalent forms, energy and published mistakes of every model.
 
 #[path = "../common/mod.rs"]
 mod common;
@@ -7,3 +7,6 @@ mod fresnel;
 mod fresnel_approximations;
 mod fresnel_errata;
 mod fresnel_precision;
+mod hemisphere;
+mod lobes;
+mod sums;
