@@ -35,8 +35,8 @@ use crate::sampling::cosine_hemisphere;
 /// E = ρ (A + 2B/π · (s(θ − sc)/2 + sc(1 + s + s²)/(3(1 + s)))). Sampled with density cosθ/π.
 ///
 /// M. Oren, S. K. Nayar, *Generalization of Lambert's Reflectance Model*, SIGGRAPH 1994,
-/// [doi:10.1145/192161.192213](https://doi.org/10.1145/192161.192213), equation 30. Some
-/// descriptions drop the factor 1/π: they count the light as radiance of a full hemisphere.
+/// [doi:10.1145/192161.192213](https://doi.org/10.1145/192161.192213), the qualitative model. Some
+/// descriptions drop the factor 1/π: they count the light as irradiance divided by π.
 ///
 /// ```
 /// use brdf::{Brdf, OrenNayar};

@@ -30,9 +30,13 @@ use crate::real::{Color, Mask, Real, Vector};
 /// (N·H)ⁿ is the BRDF itself, as renderers use it.
 ///
 /// In the plane of incidence the angle between N and H is half of the angle β between R and V, and
-/// cosⁿβ ≈ cos⁴ⁿ(β/2): the ratio is exp(nβ⁴/16) and the difference at most e⁻²/n, near β = 2/√n.
+/// cosⁿβ ≈ cos⁴ⁿ(β/2): the latter is larger by a factor of about exp(nβ⁴/16), a difference of at
+/// most about e⁻²/n, near β = 2/√n.
 /// So a Blinn–Phong lobe of exponent 4n looks like a [Phong](crate::Phong) lobe of exponent n
 /// there. Out of the plane it does not: at grazing it is much narrower across than along.
+///
+/// N·H comes from sin² near the centre; the relative error in `f32` is at most
+/// 5·10⁻⁷ (1 + n (1 − S)/S) with S = N·H.
 ///
 /// Sampled by half vectors with density (n + 2)/(2π) (N·H)ⁿ⁺¹, that is
 /// (n + 2)/(8π) (N·H)ⁿ⁺¹/(V·H) per steradian of `wi`. The directional albedo is an integral over

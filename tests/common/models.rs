@@ -6,10 +6,12 @@ use brdf::{
     SmithCorrelated, SmithSeparable, Vector, WeightedSum,
 };
 
+type Boxed<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
+
 /// One model under test.
 pub struct Entry<T: Real> {
     pub name: &'static str,
-    pub model: Box<dyn Brdf<T, Color = T::Vec3>>,
+    pub model: Boxed<T>,
     /// f(wi, wo) = f(wo, wi).
     pub reciprocal: bool,
     /// Directional albedo never above 1.
@@ -69,7 +71,7 @@ fn rgb<T: Real>(r: f64, g: f64, b: f64) -> T::Vec3 {
 fn lobes<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
     let (lit, rgb) = (lit::<T>, rgb::<T>);
     let sum = {
-        let terms: [(T::Vec3, Box<dyn Brdf<T, Color = T::Vec3>>); 3] = [
+        let terms: [(T::Vec3, Boxed<T>); 3] = [
             (rgb(0.5, 0.25, 0.125), Box::new(Lambert::new(rgb(0.8, 0.5, 0.2))?)),
             (rgb(0.25, 0.5, 0.5), Box::new(Phong::new(rgb(1.0, 1.0, 1.0), lit(30.0))?)),
             (rgb(0.25, 0.25, 0.375), Box::new(SchlickPower::new(rgb(1.0, 0.9, 0.8), lit(8.0))?)),
