@@ -20,20 +20,20 @@ use crate::real::{Color, Mask, Real, Vector};
 /// | kₛ | `specular` | directional albedo at normal incidence | 0 … 1 |
 /// | n | `exponent` | sharpness of the lobe; 0 is Lambert's surface | 0 … 10⁸ |
 ///
-/// Reciprocal, to the last bit. Conserving: with this C, from the integral, the directional albedo is kₛ at normal
-/// incidence and lower elsewhere. The popular (n + 8)/(8π) is a fit to it that overshoots: 1.024,
-/// 1.075, 1.018 kₛ for n = 1, 10, 100.
+/// Reciprocal, to the last bit. Conserving: with this C, from the integral, the directional albedo
+/// is kₛ at normal incidence and lower elsewhere. The popular (n + 8)/(8π) is a fit to it that
+/// overshoots: 1.024, 1.075, 1.018 kₛ for n = 1, 10, 100.
 ///
 /// The [`unnormalized`](Self::unnormalized) form is **not** conserving for small n: its albedo at
-/// normal incidence is kₛ/C, which is πkₛ for n = 0, 1.50 kₛ for n = 10 and below kₛ from n ≈ 18.7
-/// on. Blinn, like Phong, wrote an intensity: multiply his I by 1/(N·L) to get a BRDF; here
-/// (N·H)ⁿ is the BRDF itself, as renderers use it.
+/// normal incidence is kₛ/C, which is πkₛ for n = 0, 1.50 kₛ for n = 10 and below kₛ from
+/// n ≈ 18.7 on. Blinn, like Phong, wrote an intensity, which is the BRDF times N·L; here (N·H)ⁿ is
+/// the BRDF itself, as renderers use it.
 ///
 /// In the plane of incidence the angle between N and H is half of the angle β between R and V, and
 /// cosⁿβ ≈ cos⁴ⁿ(β/2): the latter is larger by a factor of about exp(nβ⁴/16), a difference of at
-/// most about e⁻²/n, near β = 2/√n.
-/// So a Blinn–Phong lobe of exponent 4n looks like a [Phong](crate::Phong) lobe of exponent n
-/// there. Out of the plane it does not: at grazing it is much narrower across than along.
+/// most about e⁻²/n, near β = 2/√n. So a Blinn–Phong lobe of exponent 4n looks like a
+/// [Phong](crate::Phong) lobe of exponent n there. Out of the plane it does not: at grazing it is
+/// much narrower across than along.
 ///
 /// N·H comes from sin² near the centre; the relative error in `f32` is at most
 /// 5·10⁻⁷ (1 + n (1 − S)/S) with S = N·H.

@@ -394,3 +394,116 @@ fn parameters_are_checked() {
         assert!(errors.iter().all(|error| error.parameter() == parameter), "{errors:?}");
     }
 }
+
+/// Erratum of a common shortcut: the exponent 4n belongs to half the angle, and ∠(R, V) is twice
+/// ∠(N, H) only where light, viewer and normal lie in one plane.
+#[test]
+fn half_angle_relation_holds_in_the_plane_of_incidence() {
+    let difference = |n: f64, beta: f64| {
+        let w = from_spherical(0.5 * beta, 0.0);
+        unnormalized_blinn_phong(4.0 * n).eval(w, w) - classic_phong(n).eval(w, w) * w.z
+    };
+    for (n, place, want) in [(10.0, 0.6266, 0.01425), (1000.0_f64, 0.0632, (-2.0_f64).exp() / 1e3)]
+    {
+        let betas = (1..2000).map(|step| f64::from(step) * place * 1e-3);
+        let (beta, largest) = betas
+            .map(|beta| (beta, difference(n, beta)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .unwrap();
+        assert!((largest / want - 1.0).abs() < 3e-3, "n {n}: {largest}");
+        assert!((beta / place - 1.0).abs() < 5e-3, "n {n}: {beta}");
+    }
+    let (wi, wo) = (from_spherical(PI / 3.0, 0.0), from_spherical(PI / 3.0, PI / 1.2));
+    let phong = classic_phong(10.0).eval(wi, wo) * wi.z;
+    let blinn = unnormalized_blinn_phong(40.0).eval(wi, wo);
+    assert!((phong - 0.347).abs() < 1e-3 && (blinn - 0.0257).abs() < 1e-4, "{phong} {blinn}");
+}
+
+/// The rational lobe has the power's value and slope at the centre, and half its height at
+/// S = h/(h + 1).
+#[test]
+fn schlick_power_matches_the_power_at_the_centre() {
+    for h in [1.0, 3.0, 10.0, 300.0] {
+        let lobe = unnormalized_schlick_power(h);
+        let at = |s: f64| {
+            let w = from_spherical(0.5 * s.acos(), 0.0);
+            lobe.eval(w, w)
+        };
+        assert!((at(h / (h + 1.0)) - 0.5).abs() < 1e-12);
+        let step = 1e-6 / h;
+        let slope = (at(1.0) - at(1.0 - step)) / step;
+        assert!((slope / h - 1.0).abs() < 1e-4, "{h}: {slope}");
+    }
+}
+
+#[test]
+fn oren_nayar_interreflection_brightens_by_a_tenth_at_most() {
+    let ratios = (0..=1570).map(|step| {
+        let sigma = f64::from(step) * 1e-3;
+        let new = OrenNayar::with_interreflection(1.0, sigma).unwrap();
+        new.eval(DVec3::Z, DVec3::Z) / OrenNayar::new(1.0, sigma).unwrap().eval(DVec3::Z, DVec3::Z)
+    });
+    let largest = ratios.fold(0.0, f64::max);
+    assert!((largest - 1.0977).abs() < 1e-4, "{largest}");
+}
+
+/// Extreme parameters at extreme directions, where no answer may be negative or not finite, and
+/// none may panic.
+macro_rules! extremes {
+    ($test:ident, $float:ident, $vector:ident) => {
+        #[test]
+        fn $test() {
+            let mut models: Vec<Box<dyn Brdf<$float, Color = $float>>> = Vec::new();
+            for n in [0.0, 1e-30, 0.5, 1.0, 3.0, 1e4, 1e8] {
+                models.push(Box::new(Phong::new(1.0, n).unwrap()));
+                models.push(Box::new(ClassicPhong::new(1.0, n).unwrap()));
+                models.push(Box::new(BlinnPhong::new(1.0, n).unwrap()));
+                models.push(Box::new(BlinnPhong::unnormalized(1.0, n).unwrap()));
+                models.push(Box::new(SchlickPower::new(1.0, n).unwrap()));
+            }
+            for sigma in [0.0, 1e-30, 0.1, 1.5] {
+                models.push(Box::new(OrenNayar::new(1.0, sigma).unwrap()));
+            }
+            let heights = [1e-45, 1e-38, 1e-20, 1e-7, 1e-3, 0.6, 1.0];
+            let mut directions = vec![
+                $vector::ZERO,
+                $vector::NEG_Z,
+                $vector::NAN,
+                $vector::splat($float::MAX),
+                $vector::splat($float::INFINITY),
+                $vector::new(0.3, 0.3, 1e-3),
+                $vector::new(1.0, 0.0, 0.9),
+                $vector::new(1e-20, 0.0, 1.0),
+            ];
+            for height in heights {
+                let side = (1.0 - height * height as $float).sqrt();
+                directions.push($vector::new(side, 0.0, height));
+                directions.push($vector::new(-side, 0.0, height));
+                directions.push($vector::new(0.6 * side, -0.8 * side, height));
+            }
+            let uniforms = [0.0, 1e-7, 0.25, 0.5, 1.0 - $float::EPSILON / 2.0];
+            for (index, model) in models.iter().enumerate() {
+                for &wo in &directions {
+                    let sound = |what: &str, value: $float| {
+                        let fine = value >= 0.0 && value.is_finite();
+                        assert!(fine, "model {index}: {what} {value} for {wo}");
+                    };
+                    sound("albedo", model.albedo(wo));
+                    for &wi in &directions {
+                        sound("eval", model.eval(wi, wo));
+                        sound("pdf", model.pdf(wi, wo));
+                    }
+                    for u0 in uniforms {
+                        for u1 in uniforms {
+                            let sample = model.sample(wo, [u0, u1]);
+                            sound("weight", sample.weight);
+                            sound("density", sample.pdf);
+                        }
+                    }
+                }
+            }
+        }
+    };
+}
+extremes!(extremes_are_sound_in_f32, f32, Vec3);
+extremes!(extremes_are_sound_in_f64, f64, DVec3);
