@@ -1,6 +1,5 @@
 //! Several numbers at once, element by element: what the compiler turns into SIMD registers.
 
-use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::traits::{Mask, Real};
@@ -21,13 +20,31 @@ use super::vector3::Vector3;
 pub struct Lanes<T, const N: usize>(pub [T; N]);
 
 impl<T: Copy, const N: usize> Lanes<T, N> {
+    // Plain loops: `core::array::from_fn` is a call that is not always inlined, and then runs lane
+    // by lane.
     #[inline(always)]
-    fn map<U>(self, formula: impl Fn(T) -> U) -> Lanes<U, N> {
-        Lanes(from_fn(|lane| formula(self.0[lane])))
+    fn map(self, formula: impl Fn(T) -> T) -> Self {
+        let mut out = self.0;
+        for value in &mut out {
+            *value = formula(*value);
+        }
+        Self(out)
     }
     #[inline(always)]
-    fn zip<B: Copy, U>(self, other: Lanes<B, N>, formula: impl Fn(T, B) -> U) -> Lanes<U, N> {
-        Lanes(from_fn(|lane| formula(self.0[lane], other.0[lane])))
+    fn zip(self, other: Self, formula: impl Fn(T, T) -> T) -> Self {
+        let mut out = self.0;
+        for (value, other) in out.iter_mut().zip(other.0) {
+            *value = formula(*value, other);
+        }
+        Self(out)
+    }
+    #[inline(always)]
+    fn compare(self, other: Self, formula: impl Fn(T, T) -> bool) -> Lanes<bool, N> {
+        let mut out = [false; N];
+        for lane in 0..N {
+            out[lane] = formula(self.0[lane], other.0[lane]);
+        }
+        Lanes(out)
     }
 }
 
@@ -99,18 +116,22 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
     }
     #[inline(always)]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self {
-        Self(from_fn(|lane| T::select(mask.0[lane], yes.0[lane], no.0[lane])))
+        let mut out = no.0;
+        for (lane, value) in out.iter_mut().enumerate() {
+            *value = T::select(mask.0[lane], yes.0[lane], *value);
+        }
+        Self(out)
     }
     fn outside(self, lower: f64, upper: f64) -> Option<f64> {
         self.0.into_iter().find_map(|value| value.outside(lower, upper))
     }
     #[inline(always)]
     fn lt(self, other: Self) -> Self::Mask {
-        self.zip(other, T::lt)
+        self.compare(other, T::lt)
     }
     #[inline(always)]
     fn le(self, other: Self) -> Self::Mask {
-        self.zip(other, T::le)
+        self.compare(other, T::le)
     }
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
