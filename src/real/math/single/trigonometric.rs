@@ -5,7 +5,7 @@ use super::{ROUND, ROUND_WIDE};
 /// A little more than π/4: how far n, rounded from x·2/π in `f32`, leaves r for |x| ≤ 10⁴.
 const LIMIT: f32 = 0.7865;
 
-/// The angle in −π/4..π/4, what it lacks, and the number of quarter turns, in the low two bits.
+/// The angle in −π/4..π/4, what it exceeds the exact one by, and the number of quarter turns, in the low two bits.
 ///
 /// π/2 comes in parts of up to 11 bits, whose products with n are exact up to |x| = 10⁴. Beyond,
 /// the angle loses its meaning by and by but stays in its range.
@@ -15,26 +15,26 @@ fn reduce(x: f32) -> (f32, f32, u32) {
     let n = shifted - ROUND;
     let (high, low) = ((x - n * 1.5703125) - n * 0.0004837513, n * 7.5495336e-8);
     let r = high - low;
-    let rest = ((high - r) - low) - n * 2.563344e-12;
-    let rest = if r.abs() > LIMIT { 0.0 } else { rest };
+    let excess = n * 2.563344e-12 + (low - (high - r));
+    let excess = if r.abs() > LIMIT { 0.0 } else { excess };
     let r = if r > LIMIT { LIMIT } else { r };
     let r = if r < -LIMIT { -LIMIT } else { r };
-    (r, rest, shifted.to_bits())
+    (r, excess, shifted.to_bits())
 }
 
 #[inline(always)]
 pub(in crate::real) fn sin_cos(x: f32) -> (f32, f32) {
-    let (r, rest, quadrant) = reduce(x);
+    let (r, excess, quadrant) = reduce(x);
     let z = r * r;
-    let sin = r + (rest + r * z * polynomial!(z; -0.16666655, 0.008332187, -0.00019517838));
+    // The bracket is +0 at both zeros, so that the sine keeps the sign.
+    let sin = r - (excess + r * z * polynomial!(z; 0.16666655, -0.008332187, 0.00019517838));
     let tail = z * z * polynomial!(z; 0.041666646, -0.001388731, 2.4432322e-5);
-    let cos = 1.0 - (0.5 * z - (tail - r * rest));
+    let cos = 1.0 - (0.5 * z - (tail + r * excess));
     let swap = quadrant & 1 == 1;
     let (sin, cos) = (if swap { cos } else { sin }, if swap { sin } else { cos });
     let sin_sign = (quadrant & 2) << 30;
     let cos_sign = (quadrant.wrapping_add(1) & 2) << 30;
     let sin = f32::from_bits(sin.to_bits() ^ sin_sign);
-    let sin = if x == 0.0 { x } else { sin };
     (sin, f32::from_bits(cos.to_bits() ^ cos_sign))
 }
 
