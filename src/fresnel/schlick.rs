@@ -26,8 +26,8 @@ use crate::real::{Color, Real};
 /// | at | 83.1° | 83.0° | 83.8° | 84.3° | 85.0° | 85.4° | 85.2° | 84.4° | 84.1° |
 /// | mean over θ | 0.0399 | 0.0208 | 0.0109 | 0.0094 | 0.0092 | 0.0106 | 0.0111 | 0.0142 | 0.0211 |
 ///
-/// and for metals up to 0.0066 (silver), 0.0176 (gold), 0.0390 (copper), 0.1323 (aluminium),
-/// 0.1978 (chromium).
+/// and for metals 0.0066 (silver), 0.0176 (gold), 0.0390 (copper), 0.0801 (aluminium), 0.1978
+/// (chromium) at their worst of the tested wavelengths.
 ///
 /// C. Schlick, *An Inexpensive BRDF Model for Physically-based Rendering*, Computer Graphics Forum
 /// 13(3), 1994, doi:10.1111/1467-8659.1330233.

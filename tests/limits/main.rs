@@ -5,8 +5,10 @@ mod common;
 
 mod fresnel;
 mod fresnel_approximations;
+mod fresnel_averages;
 mod fresnel_errata;
 mod fresnel_precision;
+mod fresnel_robustness;
 mod hemisphere;
 mod lobes;
 mod sums;
