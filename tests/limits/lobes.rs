@@ -507,3 +507,29 @@ macro_rules! extremes {
 }
 extremes!(extremes_are_sound_in_f32, f32, Vec3);
 extremes!(extremes_are_sound_in_f64, f64, DVec3);
+
+/// The integrals behind the albedos keep the digits of single precision.
+#[test]
+fn albedo_in_single_precision() {
+    let single = |index: usize, n: f32, wo: Vec3| match index {
+        0 => Phong::new(1.0, n).unwrap().albedo(wo),
+        1 => BlinnPhong::new(1.0, n).unwrap().albedo(wo),
+        2 => SchlickPower::new(1.0, n).unwrap().albedo(wo),
+        _ => ClassicPhong::new(1.0, n).unwrap().albedo(wo),
+    };
+    let double = NORMALIZED.into_iter().chain([OTHERS[0]]);
+    for (index, (name, lobe)) in double.enumerate() {
+        let mut worst = 0.0_f64;
+        for n in [0.0_f32, 1.0, 3.0, 30.0, 1e4, 1e8] {
+            let model = lobe(f64::from(n));
+            for step in 0..=31 {
+                let wo = from_spherical(f64::from(step) * 0.05, 1.0).as_vec3();
+                let want = model.albedo(wo.as_dvec3().normalize());
+                let error = (f64::from(single(index, n, wo)) / want - 1.0).abs();
+                worst = worst.max(error);
+            }
+        }
+        println!("{name}: {worst:.1e}");
+        assert!(worst < 1e-6, "{name}: {worst}");
+    }
+}
