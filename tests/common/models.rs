@@ -1,9 +1,9 @@
 //! Every model with representative parameters, in any number: what the tests run over.
 
 use brdf::{
-    Beckmann, BlinnPhong, Brdf, ClassicPhong, Conductor, Constant, Cook, CookTorrance, Dielectric,
-    Ggx, Hall, Lambert, OrenNayar, ParameterError, Phong, Real, Schlick, SchlickPower,
-    SmithCorrelated, SmithSeparable, Vector, WeightedSum,
+    Beckmann, Blinn, BlinnPhong, Brdf, ClassicPhong, Conductor, Constant, Cook, CookTorrance,
+    Dielectric, Gaussian, Ggx, Hall, Lambert, Mixture, OrenNayar, ParameterError, Phong, Real,
+    Schlick, SchlickPower, SmithCorrelated, SmithSeparable, Vector, WeightedSum,
 };
 
 type Boxed<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
@@ -159,6 +159,37 @@ fn microfacets<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
             "GGX 0.05 0.4, Smith, glass",
             CookTorrance::new(Ggx::anisotropic(lit(0.05), lit(0.4))?, glass()?)
                 .with_shadowing(SmithCorrelated),
+        ),
+        Entry::new(
+            "Gaussian 0.25, plastic",
+            CookTorrance::new(Gaussian::new(lit(0.25))?, plastic()?),
+        )
+        .precision(2e-6, tail),
+        Entry::new("Gaussian 1, white", CookTorrance::new(Gaussian::new(lit(1.0))?, white()?)),
+        Entry::new("Blinn 50, white", CookTorrance::new(Blinn::new(lit(50.0))?, white()?))
+            .precision(2e-6, tail),
+        Entry::new(
+            "mixture of Beckmann, Smith, gold",
+            CookTorrance::new(
+                Mixture::new([
+                    (lit(0.75), Beckmann::new(lit(0.125))?),
+                    (lit(0.25), Beckmann::new(lit(0.5))?),
+                ])?,
+                gold()?,
+            )
+            .with_shadowing(SmithCorrelated),
+        )
+        .precision(2e-6, tail),
+        Entry::new(
+            "mixture of Gaussians, glass",
+            CookTorrance::new(
+                Mixture::new([
+                    (lit(0.5), Gaussian::new(lit(0.1))?),
+                    (lit(0.25), Gaussian::new(lit(0.3))?),
+                    (lit(0.25), Gaussian::new(lit(0.6))?),
+                ])?,
+                glass()?,
+            ),
         ),
         Entry::new(
             "GGX 0.001, Cook",
