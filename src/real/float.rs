@@ -57,8 +57,9 @@ macro_rules! float {
             }
             #[inline]
             fn outside(self, lower: f64, upper: f64) -> Option<f64> {
-                let value = f64::from(self);
-                (!(lower..=upper).contains(&value)).then_some(value)
+                // In this precision, so that the number nearest to an end is inside.
+                let range = Self::lit(lower)..=Self::lit(upper);
+                (!range.contains(&self)).then_some(f64::from(self))
             }
             #[inline(always)]
             fn lt(self, other: Self) -> bool {
