@@ -32,8 +32,9 @@ pub use frame::Frame;
 pub use fresnel::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
-    Beckmann, Blinn, Blinn1977, CookTorrance, Distribution, Gaussian, Ggx, Mixture, Shadowing,
-    Smith, SmithCorrelated, SmithSeparable, VCavity,
+    Beckmann, Blinn, Blinn1977, Blinn1977Printed, CookTorrance, CookTorrance1982Printed,
+    Distribution, Gaussian, Ggx, Mixture, Shadowing, Smith, SmithCorrelated, SmithSeparable,
+    VCavity,
 };
 pub use real::{Color, Lanes, Mask, Real, Vector, Vector3};
 pub use sum::WeightedSum;

@@ -1,9 +1,10 @@
 //! Every model with representative parameters, in any number: what the tests run over.
 
 use brdf::{
-    Beckmann, Blinn, BlinnPhong, Brdf, ClassicPhong, Conductor, Constant, Cook, CookTorrance,
-    Dielectric, Gaussian, Ggx, Hall, Lambert, Mixture, OrenNayar, ParameterError, Phong, Real,
-    Schlick, SchlickPower, SmithCorrelated, SmithSeparable, Vector, WeightedSum,
+    Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong, Conductor,
+    Constant, Cook, CookTorrance, CookTorrance1982Printed, Dielectric, Gaussian, Ggx, Hall,
+    Lambert, Mixture, OrenNayar, ParameterError, Phong, Real, Schlick, SchlickPower,
+    SmithCorrelated, SmithSeparable, Vector, WeightedSum,
 };
 
 type Boxed<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
@@ -124,6 +125,7 @@ fn microfacets<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
     let gold = || Conductor::new(rgb(0.143, 0.374, 1.442), rgb(3.983, 2.386, 1.603));
     let glass = || Dielectric::new(rgb(1.5, 1.5, 1.5));
     let plastic = || Schlick::new(rgb(0.04, 0.05, 0.06));
+    let wide = Blinn1977::new(lit(1.0))?;
     // In the tail of an exponential the rounding of its argument counts as often as the argument is
     // large: 27 where the value has fallen to 1e-12.
     let tail = 1.2e-5;
@@ -198,5 +200,26 @@ fn microfacets<T: Real>() -> Result<Vec<Entry<T>>, ParameterError> {
                 Cook::new(rgb(0.9, 0.6, 0.3), rgb(1.0, 0.9, 0.8), lit(1.5))?,
             ),
         ),
+        Entry::new(
+            "Torrance-Sparrow 1967, glass",
+            CookTorrance::torrance_sparrow_1967(lit(0.05), glass()?)?,
+        )
+        .precision(2e-6, tail),
+        Entry::new("Blinn 8, gold", CookTorrance::new(Blinn::new(lit(8.0))?, gold()?))
+            .precision(2e-6, tail),
+        Entry::new(
+            "Cook-Torrance as printed in 1982, gold",
+            CookTorrance1982Printed::new(Beckmann::new(lit(0.2))?, gold()?),
+        )
+        .not_conserving()
+        .precision(2e-6, tail),
+        Entry::new("Blinn 1977 as printed, D1, gold", Blinn1977Printed::d1(wide, gold()?)?)
+            .not_conserving()
+            .precision(2e-6, tail),
+        Entry::new("Blinn 1977 as printed, D2, gold", Blinn1977Printed::d2(wide, gold()?)?)
+            .not_conserving()
+            .precision(2e-6, tail),
+        Entry::new("Blinn 1977 as printed, D3, gold", Blinn1977Printed::d3(wide, gold()?)?)
+            .not_conserving(),
     ])
 }

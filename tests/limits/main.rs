@@ -11,4 +11,5 @@ mod fresnel_precision;
 mod fresnel_robustness;
 mod hemisphere;
 mod lobes;
+mod microfacet;
 mod sums;

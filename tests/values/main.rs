@@ -7,3 +7,4 @@ mod directions;
 mod distributions;
 mod fresnel;
 mod lobes;
+mod microfacet;

@@ -1,0 +1,225 @@
+//! The model as it was first printed, with the conventions of its time.
+
+use core::f64::consts::PI;
+
+use super::beckmann::Beckmann;
+use super::blinn::Blinn;
+use super::blinn_1977::Blinn1977;
+use super::cook_torrance::CookTorrance;
+use super::distribution::Distribution;
+use super::gaussian::Gaussian;
+use super::ggx::Ggx;
+use crate::brdf::{Brdf, Sample};
+use crate::error::ParameterError;
+use crate::fresnel::Fresnel;
+use crate::real::{Color, Real, Vector};
+
+impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
+    /// The model of Torrance and Sparrow: D = b exp(−c²α²) with the tilt α in degrees, and V-cavity
+    /// shadowing.
+    ///
+    /// `c` in 1/degree is π/180 over the roughness of [`Gaussian`] in radians; b is the constant
+    /// that normalises D, as everywhere in this crate. The paper gives the reflected radiance,
+    /// F G D/(4 cosθ_r) times the irradiance on a plane across the light, which is this BRDF times
+    /// N·L; its diffuse term a N·L is a [`Lambert`](crate::Lambert) of its own.
+    ///
+    /// K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces",
+    /// JOSA 57, 1967, [doi:10.1364/JOSA.57.001105](https://doi.org/10.1364/JOSA.57.001105).
+    ///
+    /// # Errors
+    /// If `c` is not in 10⁻⁵ … 10⁵.
+    ///
+    /// ```
+    /// use brdf::{Brdf, CookTorrance, Dielectric};
+    /// use glam::{DVec3, Vec3};
+    ///
+    /// let aluminium_oxide = CookTorrance::torrance_sparrow_1967(0.05, Dielectric::new(1.77_f64)?)?;
+    /// assert!((aluminium_oxide.distribution().roughness() - 0.349066).abs() < 1e-6); // 20°
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub fn torrance_sparrow_1967(c: T, fresnel: F) -> Result<Self, ParameterError> {
+        ParameterError::check("c", (1e-5, 1e5), |lower, upper| c.outside(lower, upper))?;
+        Ok(Self::new(Gaussian::new(T::lit(PI / 180.0) / c)?, fresnel))
+    }
+}
+
+/// The model with the constants that Cook and Torrance printed: four times too bright.
+///
+/// ```text
+/// f = F/π · D G/((N·L)(N·V)),  D = exp(−tan²α/m²)/(m² cos⁴α)
+/// ```
+///
+/// D is π times the normalised [`Beckmann`], F/π takes the π away again, and the 4 of
+/// [`CookTorrance`] is missing; m is the roughness of [`Beckmann`]. To compare with pictures and
+/// codes made with these constants.
+///
+/// Reciprocal. Not conserving: with F = 1 the albedo is 4 at normal incidence (measured 4.000 at
+/// roughness 0.1) and nowhere above 4. A sample has four times the weight.
+///
+/// R. L. Cook, K. E. Torrance, "A reflectance model for computer graphics", ACM TOG 1(1), 1982,
+/// [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293).
+///
+/// ```
+/// use brdf::{Beckmann, Brdf, CookTorrance1982Printed, Dielectric};
+/// use glam::DVec3;
+///
+/// let plastic = CookTorrance1982Printed::new(Beckmann::new(0.3)?, Dielectric::new(1.5)?);
+/// let f: f64 = plastic.eval(DVec3::Z, DVec3::Z);
+/// assert!((f - 0.04 / (std::f64::consts::PI * 0.09)).abs() < 1e-12);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CookTorrance1982Printed<F, T = f32> {
+    model: CookTorrance<Beckmann<T>, F>,
+}
+
+impl<F, T> CookTorrance1982Printed<F, T> {
+    /// A surface with these normals and this reflectance.
+    pub const fn new(distribution: Beckmann<T>, fresnel: F) -> Self {
+        Self { model: CookTorrance::new(distribution, fresnel) }
+    }
+}
+
+impl<T: Real, F: Fresnel<T>> Brdf<T> for CookTorrance1982Printed<F, T> {
+    type Color = F::Color;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
+        scaled(self.model.eval(wi, wo), T::lit(4.0))
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        self.model.pdf(wi, wo)
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
+        let sample = self.model.sample(wo, u);
+        Sample { weight: scaled(sample.weight, T::lit(4.0)), ..sample }
+    }
+}
+
+/// Blinn's model of 1977, with distributions that are 1 at the normal.
+///
+/// ```text
+/// s = D G F/(N·E)     the printed intensity: `specular`
+/// f = s/(N·L)         as a BRDF: `eval`
+/// ```
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | D | `distribution` | D₁, D₂ or D₃ of [`Blinn1977`], not normalised | |
+/// | F | `fresnel` | reflectance of a facet | |
+///
+/// G is [`VCavity`](crate::VCavity), E points to the eye. The constant of s is free: D₁, D₂, D₃ are
+/// [`Blinn`], [`Gaussian`] and [`Ggx`] divided by their value at the normal, so that f is
+/// [`CookTorrance`] with the same distribution times 4/D(N). The density of the samples is that of
+/// [`CookTorrance`].
+///
+/// Reciprocal as f, not as s. Not conserving: the constant makes narrow lobes too dark, the albedo
+/// of D₂ at normal incidence is 0.18 for a half-width of 0.1, and wide ones too bright, 4.4 for 1.
+///
+/// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
+/// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
+///
+/// ```
+/// use brdf::{Blinn1977, Blinn1977Printed, Dielectric};
+/// use glam::DVec3;
+///
+/// let plastic = Blinn1977Printed::d3(Blinn1977::new(0.2)?, Dielectric::new(1.5)?)?;
+/// let s: f64 = plastic.specular(DVec3::Z, DVec3::Z);
+/// assert!((s - 0.04).abs() < 1e-12);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blinn1977Printed<D, F, T = f32> {
+    model: CookTorrance<D, F>,
+    /// 4/D(N).
+    scale: T,
+}
+
+impl<F, T: Real> Blinn1977Printed<Blinn<T>, F, T> {
+    /// With D₁, Phong's lobe around the half vector.
+    ///
+    /// # Errors
+    /// If c₁ is above the range of [`Blinn`]'s exponent.
+    pub fn d1(distribution: Blinn1977<T>, fresnel: F) -> Result<Self, ParameterError> {
+        Ok(Self::of(Blinn::new(distribution.c1())?, fresnel))
+    }
+}
+
+impl<F, T: Real> Blinn1977Printed<Gaussian<T>, F, T> {
+    /// With D₂, the lobe of Torrance and Sparrow.
+    ///
+    /// # Errors
+    /// If 1/c₂ is outside the range of [`Gaussian`]'s roughness.
+    pub fn d2(distribution: Blinn1977<T>, fresnel: F) -> Result<Self, ParameterError> {
+        Ok(Self::of(Gaussian::new(T::lit(1.0) / distribution.c2())?, fresnel))
+    }
+}
+
+impl<F, T: Real> Blinn1977Printed<Ggx<T>, F, T> {
+    /// With D₃, the lobe of Trowbridge and Reitz.
+    ///
+    /// # Errors
+    /// If c₃ is outside the range of [`Ggx`]'s roughness.
+    pub fn d3(distribution: Blinn1977<T>, fresnel: F) -> Result<Self, ParameterError> {
+        Ok(Self::of(Ggx::new(distribution.c3())?, fresnel))
+    }
+}
+
+impl<T, D, F> Blinn1977Printed<D, F, T>
+where
+    T: Real,
+    D: Distribution<T>,
+{
+    fn of(distribution: D, fresnel: F) -> Self {
+        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+        let scale = T::lit(4.0) / distribution.density(normal);
+        Self { model: CookTorrance::new(distribution, fresnel), scale }
+    }
+
+    /// The printed s = D G F/(N·E): reflected intensity for light of intensity 1 from `wi`. It is
+    /// the BRDF times N·L.
+    #[inline]
+    #[must_use]
+    pub fn specular(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color
+    where
+        F: Fresnel<T>,
+    {
+        // The BRDF is zero where the clamp takes part.
+        self.eval(wi, wo) * wi.z().clamp(T::lit(0.0), T::lit(1.0))
+    }
+}
+
+impl<T, D, F> Brdf<T> for Blinn1977Printed<D, F, T>
+where
+    T: Real,
+    D: Distribution<T>,
+    F: Fresnel<T>,
+{
+    type Color = F::Color;
+
+    #[inline]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
+        scaled(self.model.eval(wi, wo), self.scale)
+    }
+
+    #[inline]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        self.model.pdf(wi, wo)
+    }
+
+    #[inline]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
+        let sample = self.model.sample(wo, u);
+        Sample { weight: scaled(sample.weight, self.scale), ..sample }
+    }
+}
+
+/// A colour times a number, saturated.
+#[inline(always)]
+fn scaled<T: Real, C: Color<T>>(color: C, scale: T) -> C {
+    (color * scale).map(|value| value.min(T::max_finite()))
+}

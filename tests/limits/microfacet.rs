@@ -1,0 +1,431 @@
+//! What the microfacet models promise: energy, reciprocity, agreement of density and samples.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use brdf::quadrature::integrate;
+use brdf::{
+    Beckmann, Brdf, Constant, CookTorrance, CookTorrance1982Printed, Distribution, Gaussian, Ggx,
+    Pair, Shadowing, SmithCorrelated, SmithSeparable, VCavity, from_spherical, reflect,
+};
+use glam::{DVec3, Vec3};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+
+use crate::common::directions::pairs;
+
+const ROUGHNESS: [f64; 6] = [0.05, 0.1, 0.3, 0.5, 0.8, 1.0];
+const DEGREES: [f64; 5] = [0.0, 30.0, 60.0, 80.0, 89.9];
+
+fn white() -> Constant<f64> {
+    Constant::new(1.0).unwrap()
+}
+
+fn viewer(degrees: f64) -> DVec3 {
+    from_spherical(degrees.to_radians(), 0.0)
+}
+
+/// ∫ over facets h whose mirror direction may lie anywhere, `formula(h, wi)` times dω of `wi`,
+/// for a surface that looks the same on both sides of the plane of `wo` = (sinθ, 0, cosθ).
+/// Facets are counted in β with tanα = `roughness` tanβ, which spreads every lobe evenly.
+fn over_mirrored(
+    wo: DVec3,
+    roughness: f64,
+    panels: u16,
+    formula: impl Fn(DVec3, DVec3) -> f64,
+) -> f64 {
+    let panels = |from: f64, to: f64, formula: &dyn Fn(f64) -> f64| -> f64 {
+        let width = (to - from) / f64::from(panels);
+        (0..panels)
+            .map(|panel| from + width * f64::from(panel))
+            .map(|start| integrate(start, start + width, formula))
+            .sum()
+    };
+    2.0 * panels(0.0, FRAC_PI_2, &|beta| {
+        let tan = roughness * beta.tan();
+        let cos = 1.0 / (1.0 + tan * tan).sqrt();
+        // sinα dα = cos³α tanα d(tanα).
+        let jacobian = cos.powi(3) * tan * roughness / beta.cos().powi(2);
+        jacobian
+            * panels(0.0, PI, &|phi| {
+                let h = DVec3::new(tan * cos * phi.cos(), tan * cos * phi.sin(), cos);
+                let cos_d = wo.dot(h);
+                if cos_d > 0.0 { 4.0 * cos_d * formula(h, reflect(wo, h)) } else { 0.0 }
+            })
+    })
+}
+
+fn exact_albedo(
+    model: &impl Brdf<f64, Color = f64>,
+    wo: DVec3,
+    roughness: f64,
+    panels: u16,
+) -> f64 {
+    over_mirrored(wo, roughness, panels, |_, wi| model.eval(wi, wo) * wi.z.max(0.0))
+}
+
+/// Every shadowing with every distribution that has one, for one roughness.
+fn models(roughness: f64) -> Vec<(String, Box<dyn Brdf<f64, Color = f64>>)> {
+    let beckmann = CookTorrance::new(Beckmann::new(roughness).unwrap(), white());
+    let ggx = CookTorrance::new(Ggx::new(roughness).unwrap(), white());
+    let gaussian = CookTorrance::new(Gaussian::new(roughness).unwrap(), white());
+    let models: Vec<(&str, Box<dyn Brdf<f64, Color = f64>>)> = vec![
+        ("Beckmann, V-cavity", Box::new(beckmann)),
+        ("Gaussian, V-cavity", Box::new(gaussian)),
+        ("GGX, V-cavity", Box::new(ggx)),
+        ("Beckmann, Smith correlated", Box::new(beckmann.with_shadowing(SmithCorrelated))),
+        ("GGX, Smith correlated", Box::new(ggx.with_shadowing(SmithCorrelated))),
+        ("Beckmann, Smith separable", Box::new(beckmann.with_shadowing(SmithSeparable))),
+        ("GGX, Smith separable", Box::new(ggx.with_shadowing(SmithSeparable))),
+    ];
+    models.into_iter().map(|(name, model)| (format!("{name} {roughness}"), model)).collect()
+}
+
+#[test]
+fn albedo_is_at_most_one() {
+    for roughness in ROUGHNESS {
+        for (name, model) in models(roughness) {
+            for degrees in DEGREES {
+                let albedo = exact_albedo(&model, viewer(degrees), roughness, 6);
+                assert!(albedo <= 1.0 + 1e-12, "{name} at {degrees}°: {albedo}");
+                assert!(albedo > 0.2, "{name} at {degrees}°: {albedo}");
+            }
+        }
+    }
+}
+
+/// The default albedo, a 48 × 48 grid of samples, against the fine quadrature over facets.
+#[test]
+fn the_albedo_of_samples_is_that_of_the_integral() {
+    let mut worst = (0.0, String::new());
+    for roughness in ROUGHNESS {
+        for (name, model) in models(roughness) {
+            for degrees in DEGREES {
+                let wo = viewer(degrees);
+                let error = (model.albedo(wo) - exact_albedo(&model, wo, roughness, 6)).abs();
+                if error > worst.0 {
+                    worst = (error, format!("{name} at {degrees}°"));
+                }
+            }
+        }
+    }
+    assert!(worst.0 < 1.1e-3, "{worst:?}");
+}
+
+/// Figures for F = 1 at 0°, 60°, 80° and 89.9°.
+#[test]
+fn albedo_has_the_published_values() {
+    let close = |model: &dyn Brdf<f64, Color = f64>, roughness: f64, want: [f64; 4]| {
+        for (degrees, want) in [0.0, 60.0, 80.0, 89.9].into_iter().zip(want) {
+            let got = exact_albedo(&model, viewer(degrees), roughness, 8);
+            assert!((got - want).abs() < 6e-4, "{roughness} {degrees}°: {got}, not {want}");
+        }
+    };
+    let beckmann = |roughness| CookTorrance::new(Beckmann::new(roughness).unwrap(), white());
+    let ggx = |roughness| CookTorrance::new(Ggx::new(roughness).unwrap(), white());
+    let gaussian = CookTorrance::new(Gaussian::new(0.8).unwrap(), white());
+    close(&beckmann(0.1), 0.1, [1.000, 0.999, 0.942, 0.998]);
+    close(&beckmann(0.3), 0.3, [0.996, 0.925, 0.945, 0.999]);
+    close(&beckmann(0.8), 0.8, [0.605, 0.839, 0.949, 0.9995]);
+    close(&gaussian, 0.8, [0.642, 0.814, 0.939, 0.999]);
+    let smith = beckmann(0.3).with_shadowing(SmithCorrelated);
+    close(&smith, 0.3, [0.9997, 0.923, 0.916, 0.999]);
+    let smith = ggx(0.3).with_shadowing(SmithCorrelated);
+    close(&smith, 0.3, [0.877, 0.822, 0.848, 0.996]);
+    let smith = ggx(1.0).with_shadowing(SmithCorrelated);
+    close(&smith, 1.0, [0.30685, 0.451, 0.668, 0.989]);
+    let normal = exact_albedo(&smith, DVec3::Z, 1.0, 6);
+    assert!((normal - (1.0 - 2.0_f64.ln())).abs() < 1e-9, "1 − ln 2: {normal}");
+    let smith = ggx(1.0).with_shadowing(SmithSeparable);
+    close(&smith, 1.0, [0.307, 0.409, 0.523, 0.613]);
+}
+
+#[test]
+fn the_constants_of_1982_are_four_times_too_bright() {
+    let printed = CookTorrance1982Printed::new(Beckmann::new(0.1).unwrap(), white());
+    let albedo = exact_albedo(&printed, DVec3::Z, 0.1, 6);
+    assert!((albedo - 4.0).abs() < 1e-9, "{albedo}");
+    assert!((printed.albedo(DVec3::Z) - 4.0).abs() < 1e-9);
+    let modern = CookTorrance::new(Beckmann::new(0.1).unwrap(), white());
+    for (wi, wo) in pairs(1000) {
+        assert_eq!(printed.eval(wi, wo), 4.0 * modern.eval(wi, wo));
+        assert_eq!(printed.pdf(wi, wo), modern.pdf(wi, wo));
+    }
+}
+
+/// Without shadowing of the light, all light leaves: ∫ D G₁/(4 N·V) dω = 1 over the whole sphere.
+/// The integrand has kinks where a facet or its twin turns its back to the viewer, at
+/// cosφ = ∓1/(tanα tanθ); the integral is cut there.
+fn white_furnace<D: Distribution<f64>>(
+    distribution: &D,
+    shadowing: &impl Shadowing<f64, D>,
+    roughness: f64,
+    degrees: f64,
+) -> f64 {
+    let wo = viewer(degrees);
+    let around = |beta: f64| {
+        let tan = roughness * beta.tan();
+        let cos = 1.0 / (1.0 + tan * tan).sqrt();
+        let kink = (wo.z / (tan * wo.x).max(1e-300)).min(1.0).acos();
+        let formula = |phi: f64| {
+            let h = DVec3::new(tan * cos * phi.cos(), tan * cos * phi.sin(), cos);
+            let pair = Pair::new(reflect(wo, h), wo);
+            4.0 * wo.dot(h).max(0.0) * shadowing.masking(distribution, &pair)
+        };
+        let cuts = [0.0, kink, FRAC_PI_2, PI - kink, PI];
+        let all: f64 = cuts.windows(2).map(|cut| integrate(cut[0], cut[1], formula)).sum();
+        let jacobian = cos.powi(3) * tan * roughness / beta.cos().powi(2);
+        2.0 * all * jacobian * distribution.density(DVec3::new(tan * cos, 0.0, cos))
+    };
+    // The kinks appear at one β with a power 3/2; a square in the variable makes that smooth.
+    let first = (wo.z / (roughness * wo.x).max(1e-300)).atan();
+    let span = FRAC_PI_2 - first;
+    let after = |s: f64| 2.0 * s * span * around(first + span * s * s);
+    let halves = |formula: &dyn Fn(f64) -> f64, end: f64| {
+        integrate(0.0, 0.5 * end, formula) + integrate(0.5 * end, end, formula)
+    };
+    halves(&around, first) + halves(&after, 1.0)
+}
+
+#[test]
+fn visible_facets_fill_the_projected_area() {
+    for roughness in ROUGHNESS {
+        let beckmann = Beckmann::new(roughness).unwrap();
+        let ggx = Ggx::new(roughness).unwrap();
+        let gaussian = Gaussian::new(roughness).unwrap();
+        for degrees in [0.0, 30.0, 60.0, 80.0, 89.0] {
+            let check = |name: &str, total: f64| {
+                assert!((total - 1.0).abs() < 1e-9, "{name} {roughness} {degrees}°: {total}");
+            };
+            check("V, Beckmann", white_furnace(&beckmann, &VCavity, roughness, degrees));
+            check("V, GGX", white_furnace(&ggx, &VCavity, roughness, degrees));
+            check("V, Gaussian", white_furnace(&gaussian, &VCavity, roughness, degrees));
+            check("S, Beckmann", white_furnace(&beckmann, &SmithCorrelated, roughness, degrees));
+            check("S, GGX", white_furnace(&ggx, &SmithSeparable, roughness, degrees));
+        }
+    }
+}
+
+/// D, G and F see the pair through its half vector and symmetric sums alone.
+#[test]
+fn exchange_of_light_and_viewer_changes_no_bit() {
+    let mut rng = Pcg64Mcg::seed_from_u64(1);
+    let grazing = (0..20_000).map(|_| {
+        let mut one = || {
+            from_spherical(
+                FRAC_PI_2 - 10.0_f64.powf(-20.0 * rng.random::<f64>()),
+                TAU * rng.random::<f64>(),
+            )
+        };
+        (one(), one())
+    });
+    let all: Vec<_> = pairs(100_000).into_iter().chain(grazing).collect();
+    for roughness in [0.01, 0.3, 1.0] {
+        for (name, model) in models(roughness) {
+            for &(wi, wo) in &all {
+                assert_eq!(model.eval(wi, wo), model.eval(wo, wi), "{name} {wi} {wo}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_sample_agrees_with_eval_and_pdf() {
+    let mut rng = Pcg64Mcg::seed_from_u64(2);
+    let mut worst = 0.0_f64;
+    for roughness in [1e-6, 1e-3, 0.1, 0.5, 1.0, 10.0] {
+        for (name, model) in models(roughness) {
+            for _ in 0..5000 {
+                let cos = if rng.random() {
+                    rng.random()
+                } else {
+                    10.0_f64.powf(-20.0 * rng.random::<f64>())
+                };
+                let wo = from_spherical(cos.acos(), TAU * rng.random::<f64>());
+                let sample = model.sample(wo, [rng.random(), rng.random()]);
+                if sample.pdf == 0.0 {
+                    continue;
+                }
+                assert_eq!(sample.pdf, model.pdf(sample.wi, wo), "{name} {wo}");
+                assert!(sample.weight <= 1.0);
+                let value = model.eval(sample.wi, wo);
+                if value < 1e-290 || value > 1e290 {
+                    continue;
+                }
+                let ulps =
+                    (sample.weight * sample.pdf / (value * sample.wi.z) - 1.0).abs() / f64::EPSILON;
+                assert!(ulps <= 8.0, "{name} {wo}: {ulps} ulp");
+                worst = worst.max(ulps);
+            }
+        }
+    }
+    println!("{worst} ulp");
+}
+
+/// A smooth surface is a mirror with the reflectance F.
+#[test]
+fn without_roughness_a_mirror_remains() {
+    for roughness in [1e-8, 1e-6, 1e-4] {
+        for (name, model) in models(roughness) {
+            for degrees in [0.0, 30.0, 60.0, 80.0] {
+                let wo = viewer(degrees);
+                // GGX has tails ~ (roughness/tanα)²: 10⁻³ is 10 standard deviations of the others.
+                let albedo = model.albedo(wo);
+                assert!((albedo - 1.0).abs() < 5e-4, "{name} at {degrees}°: {albedo}");
+                let sample = model.sample(wo, [0.5, 0.3]);
+                let mirror = DVec3::new(-wo.x, -wo.y, wo.z);
+                let off = (sample.wi - mirror).length();
+                assert!(off < 4.0 * roughness + 1e-15, "{name} at {degrees}°: off by {off}");
+            }
+        }
+    }
+}
+
+/// χ² of the directions of 200 000 samples in 16 × 32 cells of the hemisphere of equal solid angle,
+/// and one cell for draws without direction, against the integrals of the density.
+fn assert_samples_follow_the_density(name: &str, model: &impl Brdf<f64>, wo: DVec3) {
+    const COUNT: u32 = 200_000;
+    const RINGS: usize = 16;
+    const SECTORS: usize = 32;
+    let mut rng = Pcg64Mcg::seed_from_u64(3);
+    let mut counts = vec![0.0; RINGS * SECTORS + 1];
+    for _ in 0..COUNT {
+        let sample = model.sample(wo, [rng.random(), rng.random()]);
+        let cell = if sample.pdf > 0.0 {
+            let turn = sample.wi.y.atan2(sample.wi.x) / TAU + 0.5;
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell")]
+            let index = |part: f64, cells: usize| ((part * cells as f64) as usize).min(cells - 1);
+            index(sample.wi.z, RINGS) * SECTORS + index(turn, SECTORS)
+        } else {
+            RINGS * SECTORS
+        };
+        counts[cell] += 1.0;
+    }
+    let mut expected: Vec<f64> = (0..RINGS * SECTORS)
+        .map(|cell| {
+            let (ring, sector) = ((cell / SECTORS) as f64, (cell % SECTORS) as f64);
+            let (low, step) = (ring / RINGS as f64, 1.0 / RINGS as f64);
+            let (from, turn) = (TAU * sector / SECTORS as f64 - PI, TAU / SECTORS as f64);
+            integrate(low, low + step, |cos: f64| {
+                integrate(from, from + turn, |phi: f64| {
+                    let sin = ((1.0 - cos) * (1.0 + cos)).sqrt();
+                    model.pdf(DVec3::new(sin * phi.cos(), sin * phi.sin(), cos), wo)
+                })
+            }) * f64::from(COUNT)
+        })
+        .collect();
+    let above: f64 = expected.iter().sum();
+    assert!(above < f64::from(COUNT) * (1.0 + 1e-6), "{name}: the density integrates to {above}");
+    expected.push((f64::from(COUNT) - above).max(0.0));
+    // Cells with few expected samples are taken together.
+    let (mut rare, mut statistic, mut cells) = ((0.0, 0.0), 0.0, 0_u32);
+    for (count, expected) in counts.iter().zip(&expected) {
+        if *expected < 10.0 {
+            rare = (rare.0 + count, rare.1 + expected);
+        } else {
+            statistic += (count - expected).powi(2) / expected;
+            cells += 1;
+        }
+    }
+    if rare.1 >= 10.0 {
+        statistic += (rare.0 - rare.1).powi(2) / rare.1;
+        cells += 1;
+    } else {
+        assert!(rare.0 < 40.0, "{name}: {} samples where {} are expected", rare.0, rare.1);
+    }
+    let p = ChiSquared::new(f64::from(cells - 1)).unwrap().sf(statistic);
+    println!("{name}: χ² {statistic:.1} of {cells} cells, p {p:.4}");
+    assert!(p > 1e-4, "{name}: χ² {statistic} of {cells} cells, p {p:e}");
+}
+
+#[test]
+fn samples_follow_the_density() {
+    let beckmann = CookTorrance::new(Beckmann::new(0.3).unwrap(), white());
+    let ggx = CookTorrance::new(Ggx::new(0.5).unwrap(), white());
+    let gaussian = CookTorrance::new(Gaussian::new(0.4).unwrap(), white());
+    let grained = CookTorrance::new(Beckmann::anisotropic(0.2, 0.7).unwrap(), white());
+    let grained_ggx = CookTorrance::new(Ggx::anisotropic(0.6, 0.2).unwrap(), white());
+    for (theta, phi) in [(0.0, 0.0), (0.7, 0.5), (1.2, 2.0), (1.5, -1.0)] {
+        let wo = from_spherical(theta, phi);
+        let check = |name: &str, model: &dyn Brdf<f64, Color = f64>| {
+            assert_samples_follow_the_density(&format!("{name} at {theta}, {phi}"), &model, wo);
+        };
+        check("Beckmann, V-cavity", &beckmann);
+        check("GGX, V-cavity", &ggx);
+        check("Gaussian, V-cavity", &gaussian);
+        check("Beckmann with grain, V-cavity", &grained);
+        check("GGX with grain, V-cavity", &grained_ggx);
+        check("Beckmann, Smith", &beckmann.with_shadowing(SmithCorrelated));
+        check("GGX with grain, Smith", &grained_ggx.with_shadowing(SmithSeparable));
+    }
+}
+
+/// Cosines down to 1e-20, equal and opposite directions, all roughness that is accepted.
+macro_rules! sound {
+    ($test:ident, $float:ident, $vector:ident) => {
+        #[test]
+        fn $test() {
+            let cosines: [$float; 7] = [1e-20, 1e-12, 1e-7, 1e-3, 0.3, 0.9, 1.0];
+            let azimuths: [$float; 5] = [0.0, 1e-7, 1.0, 3.1415925, std::$float::consts::PI];
+            let direction = |cos: $float, phi: $float| {
+                let sin = ((1.0 - cos) * (1.0 + cos)).max(0.0).sqrt();
+                $vector::new(sin * phi.cos(), sin * phi.sin(), cos)
+            };
+            let fine = |value: $float| value.is_finite() && value >= 0.0;
+            for roughness in [1e-8, 1e-4, 0.03, 1.0, 30.0, 1e4] {
+                let white: Constant<$float> = Constant::new(1.0).unwrap();
+                let beckmann = CookTorrance::new(Beckmann::new(roughness).unwrap(), white);
+                let ggx = CookTorrance::new(Ggx::new(roughness).unwrap(), white);
+                let gaussian = CookTorrance::new(Gaussian::new(roughness).unwrap(), white);
+                let models: [Box<dyn Brdf<$float, Color = $float>>; 7] = [
+                    Box::new(beckmann),
+                    Box::new(ggx),
+                    Box::new(gaussian),
+                    Box::new(beckmann.with_shadowing(SmithCorrelated)),
+                    Box::new(ggx.with_shadowing(SmithCorrelated)),
+                    Box::new(beckmann.with_shadowing(SmithSeparable)),
+                    Box::new(ggx.with_shadowing(SmithSeparable)),
+                ];
+                for (index, model) in models.iter().enumerate() {
+                    for cos_o in cosines {
+                        for phi in azimuths {
+                            let wo = direction(cos_o, phi);
+                            for cos_i in cosines {
+                                let wi = direction(cos_i, 0.0);
+                                for wi in [wi, wo, $vector::new(-wo.x, -wo.y, wo.z)] {
+                                    let (f, pdf) = (model.eval(wi, wo), model.pdf(wi, wo));
+                                    let context = (index, roughness, wi, wo);
+                                    assert!(fine(f) && fine(pdf), "{f} {pdf} {context:?}");
+                                }
+                            }
+                            for u0 in [0.0, 1e-7, 0.5, 1.0 - $float::EPSILON / 2.0] {
+                                for u1 in [0.0, 0.25, 0.5, 0.7, 1.0 - $float::EPSILON / 2.0] {
+                                    let sample = model.sample(wo, [u0, u1]);
+                                    let context = (index, roughness, wo, u0, u1, sample);
+                                    assert!(fine(sample.weight), "{context:?}");
+                                    assert!(sample.weight <= 1.0, "{context:?}");
+                                    assert!(fine(sample.pdf), "{context:?}");
+                                    assert!(sample.wi.is_finite(), "{context:?}");
+                                }
+                            }
+                        }
+                    }
+                }
+            }
+        }
+    };
+}
+sound!(every_answer_is_finite_in_f64, f64, DVec3);
+sound!(every_answer_is_finite_in_f32, f32, Vec3);
+
+/// Types are inferred from the colour.
+#[test]
+fn a_color_of_glam_decides_the_number() -> Result<(), brdf::ParameterError> {
+    let gold = CookTorrance::new(Beckmann::new(0.3)?, Constant::new(Vec3::splat(0.5))?);
+    let f = gold.eval(Vec3::Z, Vec3::Z);
+    let precise = CookTorrance::new(Beckmann::new(0.3)?, Constant::new(DVec3::splat(0.5))?);
+    assert!((f.as_dvec3() - precise.eval(DVec3::Z, DVec3::Z)).length() < 1e-6);
+    let scene: Vec<Box<dyn Brdf<Color = Vec3>>> = vec![Box::new(gold)];
+    assert_eq!(scene[0].eval(Vec3::Z, Vec3::Z), f);
+    Ok(())
+}
