@@ -76,10 +76,12 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         // Below 10⁻⁸ the density of any allowed roughness is less than exp(−10⁸): zero.
         let above = h.z().gt(T::lit(1e-8));
-        let inverse_cos = one / T::select(above, h.z(), one);
-        // From 10⁴ on the exponential is zero in every number; the bound keeps it from infinity.
-        let exponent = (self.roughness.tilt_squared(h * inverse_cos)).min(T::lit(1e4));
-        let density = (-exponent).exp() * inverse_cos.powi(4) * self.roughness.peak();
+        let cos_squared = T::select(above, h.z(), one).squared();
+        // From 10⁴ on the exponential is zero in every number; the bounds keep it from infinity.
+        let exponent = (self.roughness.tilt_squared(h) / cos_squared).min(T::lit(1e4));
+        let tan_squared = (h.x().squared() + h.y().squared()) / cos_squared;
+        let inverse_cos_squared = one + tan_squared.min(T::lit(1e16));
+        let density = (-exponent).exp() * (inverse_cos_squared.squared() * self.roughness.peak());
         T::select(above, density.min(T::max_finite()), zero)
     }
 

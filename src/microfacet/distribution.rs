@@ -14,7 +14,7 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     fn density(&self, h: T::Vec3) -> T;
 
     /// Draws `h` with density D(h) (N·h) from two uniform numbers in [0, 1). It is a unit vector
-    /// that does not lie below the surface, whatever the numbers.
+    /// that does not lie below the surface.
     fn sample(&self, u: [T; 2]) -> T::Vec3;
 }
 

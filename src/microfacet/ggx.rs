@@ -71,11 +71,14 @@ impl<T: Real> Distribution<T> for Ggx<T> {
     #[inline]
     fn density(&self, h: T::Vec3) -> T {
         let zero = T::lit(0.0);
-        let above = h.z().gt(zero);
-        let stretched = self.roughness.tilt_squared(h) + h.z().squared();
-        let usable = T::select(above, stretched, T::lit(1.0));
-        let density = (self.roughness.peak() / usable.squared()).min(T::max_finite());
-        T::select(above, density, zero)
+        let cos_squared = h.z().squared();
+        let length_squared = h.x().squared() + h.y().squared() + cos_squared;
+        // Divided by the length, which is 1 up to rounding: the fourth power would multiply that
+        // rounding. The bound keeps vectors without length from dividing 0 by 0.
+        let stretched = (self.roughness.tilt_squared(h) + cos_squared).max(T::lit(1e-37));
+        let density =
+            (self.roughness.peak() * (length_squared / stretched).squared()).min(T::max_finite());
+        T::select(h.z().gt(zero), density, zero)
     }
 
     #[inline]

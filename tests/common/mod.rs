@@ -3,5 +3,6 @@
 
 pub mod directions;
 pub mod models;
+pub mod slopes;
 pub mod traced;
 pub mod values;

@@ -3,6 +3,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod distribution_samples;
+mod distributions;
 mod fresnel;
 mod fresnel_approximations;
 mod fresnel_averages;
