@@ -118,7 +118,7 @@ impl<T: Real, F: Fresnel<T>> Brdf<T> for CookTorrance1982Printed<F, T> {
 /// [`CookTorrance`].
 ///
 /// Reciprocal as f, not as s. Not conserving: the constant makes narrow lobes too dark, the albedo
-/// of D₂ at normal incidence is 0.18 for a half-width of 0.1, and wide ones too bright, 4.4 for 1.
+/// of D₂ at normal incidence is 0.180 for a half-width of 0.1, and wide ones too bright, 4.08 for 1.
 ///
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
 /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).

@@ -4,15 +4,16 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use brdf::quadrature::integrate;
 use brdf::{
-    Beckmann, Brdf, Constant, CookTorrance, CookTorrance1982Printed, Distribution, Gaussian, Ggx,
-    Pair, Shadowing, SmithCorrelated, SmithSeparable, VCavity, from_spherical, reflect,
+    Beckmann, Blinn1977, Blinn1977Printed, Brdf, Constant, CookTorrance, CookTorrance1982Printed,
+    Distribution, Gaussian, Ggx, Pair, Shadowing, SmithCorrelated, SmithSeparable, VCavity,
+    from_spherical, reflect,
 };
 use glam::{DVec3, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::common::directions::pairs;
+use crate::hemisphere::assert_samples_follow_pdf;
 
 const ROUGHNESS: [f64; 6] = [0.05, 0.1, 0.3, 0.5, 0.8, 1.0];
 const DEGREES: [f64; 5] = [0.0, 30.0, 60.0, 80.0, 89.9];
@@ -153,6 +154,20 @@ fn the_constants_of_1982_are_four_times_too_bright() {
     }
 }
 
+/// The albedo at normal incidence of D₂ as Blinn printed it, with F = 1.
+#[test]
+fn the_constant_of_1977_is_too_dark_or_too_bright() {
+    for (half_width, want) in [(0.1, 0.1796), (1.0, 4.0776)] {
+        let distribution = Blinn1977::new(half_width).unwrap();
+        let printed = Blinn1977Printed::d2(distribution, white()).unwrap();
+        let albedo = exact_albedo(&printed, DVec3::Z, 1.2 * half_width, 8);
+        assert!((albedo - want).abs() < 5e-4, "{half_width}: {albedo}");
+        let (wi, wo) = (viewer(50.0), from_spherical(0.7, 2.0));
+        assert_eq!(printed.eval(wi, wo), printed.eval(wo, wi));
+        assert!((printed.specular(wi, wo) / printed.eval(wi, wo) - wi.z).abs() < 1e-15);
+    }
+}
+
 /// Without shadowing of the light, all light leaves: ∫ D G₁/(4 N·V) dω = 1 over the whole sphere.
 /// The integrand has kinks where a facet or its twin turns its back to the viewer, at
 /// cosφ = ∓1/(tanα tanθ); the integral is cut there.
@@ -281,63 +296,6 @@ fn without_roughness_a_mirror_remains() {
     }
 }
 
-/// χ² of the directions of 200 000 samples in 16 × 32 cells of the hemisphere of equal solid angle,
-/// and one cell for draws without direction, against the integrals of the density.
-fn assert_samples_follow_the_density(name: &str, model: &impl Brdf<f64>, wo: DVec3) {
-    const COUNT: u32 = 200_000;
-    const RINGS: usize = 16;
-    const SECTORS: usize = 32;
-    let mut rng = Pcg64Mcg::seed_from_u64(3);
-    let mut counts = vec![0.0; RINGS * SECTORS + 1];
-    for _ in 0..COUNT {
-        let sample = model.sample(wo, [rng.random(), rng.random()]);
-        let cell = if sample.pdf > 0.0 {
-            let turn = sample.wi.y.atan2(sample.wi.x) / TAU + 0.5;
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a cell")]
-            let index = |part: f64, cells: usize| ((part * cells as f64) as usize).min(cells - 1);
-            index(sample.wi.z, RINGS) * SECTORS + index(turn, SECTORS)
-        } else {
-            RINGS * SECTORS
-        };
-        counts[cell] += 1.0;
-    }
-    let mut expected: Vec<f64> = (0..RINGS * SECTORS)
-        .map(|cell| {
-            let (ring, sector) = ((cell / SECTORS) as f64, (cell % SECTORS) as f64);
-            let (low, step) = (ring / RINGS as f64, 1.0 / RINGS as f64);
-            let (from, turn) = (TAU * sector / SECTORS as f64 - PI, TAU / SECTORS as f64);
-            integrate(low, low + step, |cos: f64| {
-                integrate(from, from + turn, |phi: f64| {
-                    let sin = ((1.0 - cos) * (1.0 + cos)).sqrt();
-                    model.pdf(DVec3::new(sin * phi.cos(), sin * phi.sin(), cos), wo)
-                })
-            }) * f64::from(COUNT)
-        })
-        .collect();
-    let above: f64 = expected.iter().sum();
-    assert!(above < f64::from(COUNT) * (1.0 + 1e-6), "{name}: the density integrates to {above}");
-    expected.push((f64::from(COUNT) - above).max(0.0));
-    // Cells with few expected samples are taken together.
-    let (mut rare, mut statistic, mut cells) = ((0.0, 0.0), 0.0, 0_u32);
-    for (count, expected) in counts.iter().zip(&expected) {
-        if *expected < 10.0 {
-            rare = (rare.0 + count, rare.1 + expected);
-        } else {
-            statistic += (count - expected).powi(2) / expected;
-            cells += 1;
-        }
-    }
-    if rare.1 >= 10.0 {
-        statistic += (rare.0 - rare.1).powi(2) / rare.1;
-        cells += 1;
-    } else {
-        assert!(rare.0 < 40.0, "{name}: {} samples where {} are expected", rare.0, rare.1);
-    }
-    let p = ChiSquared::new(f64::from(cells - 1)).unwrap().sf(statistic);
-    println!("{name}: χ² {statistic:.1} of {cells} cells, p {p:.4}");
-    assert!(p > 1e-4, "{name}: χ² {statistic} of {cells} cells, p {p:e}");
-}
-
 #[test]
 fn samples_follow_the_density() {
     let beckmann = CookTorrance::new(Beckmann::new(0.3).unwrap(), white());
@@ -348,7 +306,7 @@ fn samples_follow_the_density() {
     for (theta, phi) in [(0.0, 0.0), (0.7, 0.5), (1.2, 2.0), (1.5, -1.0)] {
         let wo = from_spherical(theta, phi);
         let check = |name: &str, model: &dyn Brdf<f64, Color = f64>| {
-            assert_samples_follow_the_density(&format!("{name} at {theta}, {phi}"), &model, wo);
+            assert_samples_follow_pdf(name, model, wo, 200_000);
         };
         check("Beckmann, V-cavity", &beckmann);
         check("GGX, V-cavity", &ggx);
