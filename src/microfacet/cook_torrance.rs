@@ -81,7 +81,7 @@ impl<D, F, S> CookTorrance<D, F, S> {
     /// let mirrors = CookTorrance::new(Ggx::new(1.0)?, Constant::new(DVec3::ONE)?)
     ///     .with_shadowing(SmithCorrelated);
     /// let lost = 1.0 - mirrors.albedo(DVec3::Z).x;
-    /// assert!((lost - 2.0_f64.ln()).abs() < 1e-4);
+    /// assert!((lost - 2.0_f64.ln()).abs() < 1e-3);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     pub fn with_shadowing<G>(self, shadowing: G) -> CookTorrance<D, F, G> {

@@ -31,10 +31,10 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
     ///
     /// ```
     /// use brdf::{Brdf, CookTorrance, Dielectric};
-    /// use glam::{DVec3, Vec3};
     ///
     /// let aluminium_oxide = CookTorrance::torrance_sparrow_1967(0.05, Dielectric::new(1.77_f64)?)?;
-    /// assert!((aluminium_oxide.distribution().roughness() - 0.349066).abs() < 1e-6); // 20°
+    /// let roughness: f64 = aluminium_oxide.distribution().roughness();
+    /// assert!((roughness - 0.349066).abs() < 1e-6); // 20°
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     pub fn torrance_sparrow_1967(c: T, fresnel: F) -> Result<Self, ParameterError> {

@@ -27,7 +27,7 @@ use crate::real::Real;
 /// let (wi, wo) = (from_spherical(0.2_f64, 1.0), from_spherical(1.2, 4.0));
 /// let pair = Pair::new(wi, wo);
 /// let visibility = SmithCorrelated.visibility(&Beckmann::new(0.8)?, &pair);
-/// let g = 4.0 * pair.cos_i * pair.cos_o * visibility;
+/// let g: f64 = 4.0 * pair.cos_i * pair.cos_o * visibility;
 /// assert!((g - 0.824802340778).abs() < 1e-12);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
@@ -52,7 +52,7 @@ pub struct SmithCorrelated;
 /// let (wi, wo) = (from_spherical(0.2_f64, 1.0), from_spherical(1.2, 4.0));
 /// let pair = Pair::new(wi, wo);
 /// let visibility = SmithSeparable.visibility(&Ggx::new(0.8)?, &pair);
-/// let g = 4.0 * pair.cos_i * pair.cos_o * visibility;
+/// let g: f64 = 4.0 * pair.cos_i * pair.cos_o * visibility;
 /// assert!((g - 0.604354289427).abs() < 1e-12);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
