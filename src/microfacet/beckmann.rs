@@ -37,7 +37,7 @@ use crate::real::{Real, Vector};
 /// use brdf::{Beckmann, Distribution};
 /// use glam::DVec3;
 ///
-/// let beckmann = Beckmann::new(0.5)?;
+/// let beckmann = Beckmann::new(0.5_f64)?;
 /// assert!((beckmann.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π m²)
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```

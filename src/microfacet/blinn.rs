@@ -27,7 +27,7 @@ use crate::real::{Real, Vector};
 /// use brdf::{Blinn, Distribution};
 /// use glam::DVec3;
 ///
-/// let blinn = Blinn::new(10.0)?;
+/// let blinn = Blinn::new(10.0_f64)?;
 /// assert!((blinn.density(DVec3::Z) - 1.9098593171).abs() < 1e-10); // (n + 2)/(2π)
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
@@ -55,7 +55,7 @@ impl<T: Real> Blinn<T> {
     /// use brdf::{Beckmann, Blinn, Distribution};
     /// use glam::DVec3;
     ///
-    /// let (blinn, beckmann) = (Blinn::from_roughness(0.01)?, Beckmann::new(0.01)?);
+    /// let (blinn, beckmann) = (Blinn::from_roughness(0.01_f64)?, Beckmann::new(0.01)?);
     /// let h = DVec3::new(0.01, 0.0, 1.0).normalize();
     /// assert!((blinn.density(h) / beckmann.density(h) - 1.0).abs() < 2e-4);
     /// # Ok::<(), brdf::ParameterError>(())

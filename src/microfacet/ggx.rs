@@ -34,7 +34,7 @@ use crate::real::{Real, Vector};
 /// use brdf::{Distribution, Ggx};
 /// use glam::DVec3;
 ///
-/// let ggx = Ggx::new(0.5)?;
+/// let ggx = Ggx::new(0.5_f64)?;
 /// assert!((ggx.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π a²)
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```

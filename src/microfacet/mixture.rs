@@ -24,7 +24,7 @@ use crate::real::{Mask, Real, Vector};
 /// use brdf::{Beckmann, Distribution, Mixture};
 /// use glam::DVec3;
 ///
-/// let mixture = Mixture::new([(0.4, Beckmann::new(0.2)?), (0.6, Beckmann::new(0.5)?)])?;
+/// let mixture = Mixture::new([(0.4, Beckmann::new(0.2_f64)?), (0.6, Beckmann::new(0.5_f64)?)])?;
 /// assert!((mixture.density(DVec3::Z) - 3.9470425887).abs() < 1e-10);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```

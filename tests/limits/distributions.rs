@@ -234,7 +234,7 @@ fn single_precision_keeps_its_digits() {
 
 /// Numbers from the whole range, signs included.
 fn extremes<T: Real>() -> Vec<T> {
-    let large = [0.0, 1e-45, 1e-38, 1e-30, 1e-20, 1e-8, 1e-3, 0.6, 0.8, 1.0, 3.0, 1e19, 1e38];
+    let large = [0.0, 1e-45, 1e-30, 1e-20, 1e-8, 0.6, 0.8, 1.0, 1e19, 1e38];
     large.into_iter().flat_map(|value| [T::lit(value), T::lit(-value)]).collect()
 }
 
@@ -293,7 +293,7 @@ fn check_smith_extremes<T: Real + Into<f64>>(name: &str, distribution: &dyn Smit
 }
 
 fn check_all_extremes<T: Real + Into<f64>>() {
-    let ends = [T::lit(1.01e-8), T::lit(0.3), T::lit(9.9e3)];
+    let ends = [T::lit(1e-8), T::lit(0.3), T::lit(1e4)];
     for x in ends {
         check_extremes("Gaussian", &Gaussian::new(x).unwrap());
         for y in ends {
