@@ -43,8 +43,15 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// a closed form use it.
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
-        integrate(zero, one, |u0| integrate(zero, one, |u1| self.sample(wo, [u0, u1]).weight))
+        integrate(zero, one, |u0| integrate(zero, one, |u1| weight(self, wo, [u0, u1])))
     }
+}
+
+/// The weight of one sample. A call, so that the loops of the default albedo do not multiply the
+/// code of the sampler.
+#[inline(never)]
+fn weight<T: Real, M: Brdf<T> + ?Sized>(model: &M, wo: T::Vec3, u: [T; 2]) -> M::Color {
+    model.sample(wo, u).weight
 }
 
 /// A direction drawn by [`Brdf::sample`].

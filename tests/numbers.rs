@@ -8,7 +8,7 @@ use common::models;
 use common::traced::{Traced, trace};
 use glam::{DVec3, Vec3};
 
-const N: usize = 16;
+const N: usize = 4;
 
 /// A model runs once on symbols; playing the record gives what the model gives.
 #[test]

@@ -26,6 +26,7 @@ pub struct Traced(usize);
 #[derive(Clone, Copy, Debug)]
 pub struct TracedMask(usize);
 
+#[inline(never)]
 fn record(operation: fn([f64; 3]) -> f64, arguments: [usize; 3], literal: f64) -> usize {
     TAPE.with_borrow_mut(|tape| {
         tape.push(Step { operation, arguments, literal });
