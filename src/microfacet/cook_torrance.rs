@@ -66,6 +66,7 @@ pub struct CookTorrance<D, F, S = VCavity> {
 
 impl<D, F> CookTorrance<D, F> {
     /// A surface with these normals and this reflectance, with V-cavity shadowing.
+    #[must_use]
     pub const fn new(distribution: D, fresnel: F) -> Self {
         Self { distribution, fresnel, shadowing: VCavity }
     }
@@ -84,16 +85,19 @@ impl<D, F, S> CookTorrance<D, F, S> {
     /// assert!((lost - 2.0_f64.ln()).abs() < 1e-3);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
+    #[must_use]
     pub fn with_shadowing<G>(self, shadowing: G) -> CookTorrance<D, F, G> {
         CookTorrance { distribution: self.distribution, fresnel: self.fresnel, shadowing }
     }
 
     /// The distribution of the facets' normals.
+    #[must_use]
     pub const fn distribution(&self) -> &D {
         &self.distribution
     }
 
     /// The reflectance of a facet.
+    #[must_use]
     pub const fn fresnel(&self) -> &F {
         &self.fresnel
     }

@@ -30,10 +30,10 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
     /// If `c` is not in 10⁻⁵ … 10⁵.
     ///
     /// ```
-    /// use brdf::{Brdf, CookTorrance, Dielectric};
+    /// use brdf::{CookTorrance, Dielectric};
     ///
-    /// let aluminium_oxide = CookTorrance::torrance_sparrow_1967(0.05, Dielectric::new(1.77_f64)?)?;
-    /// let roughness: f64 = aluminium_oxide.distribution().roughness();
+    /// let frosted = CookTorrance::torrance_sparrow_1967(0.05, Dielectric::new(1.5_f64)?)?;
+    /// let roughness: f64 = frosted.distribution().roughness();
     /// assert!((roughness - 0.349066).abs() < 1e-6); // 20°
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
@@ -75,6 +75,7 @@ pub struct CookTorrance1982Printed<F, T = f32> {
 
 impl<F, T> CookTorrance1982Printed<F, T> {
     /// A surface with these normals and this reflectance.
+    #[must_use]
     pub const fn new(distribution: Beckmann<T>, fresnel: F) -> Self {
         Self { model: CookTorrance::new(distribution, fresnel) }
     }

@@ -40,8 +40,7 @@ use crate::real::{Real, Vector};
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
 /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
 /// E. Heitz, E. d'Eon, "Importance sampling microfacet-based BSDFs using the distribution of
-/// visible normals", EGSR 2014, [doi:10.1111/cgf.12417](https://doi.org/10.1111/cgf.12417),
-/// algorithm 3.
+/// visible normals", EGSR 2014, [doi:10.1111/cgf.12417](https://doi.org/10.1111/cgf.12417).
 ///
 /// ```
 /// use brdf::{Beckmann, Pair, Shadowing, VCavity, from_spherical};

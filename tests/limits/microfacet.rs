@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use brdf::quadrature::integrate;
 use brdf::{
     Beckmann, Blinn1977, Blinn1977Printed, Brdf, Constant, CookTorrance, CookTorrance1982Printed,
-    Distribution, Gaussian, Ggx, Pair, Shadowing, SmithCorrelated, SmithSeparable, VCavity,
-    from_spherical, reflect,
+    Distribution, Gaussian, Ggx, Mixture, Pair, Shadowing, SmithCorrelated, SmithSeparable,
+    VCavity, from_spherical, reflect,
 };
 use glam::{DVec3, Vec3};
 use rand::{RngExt, SeedableRng};
@@ -301,8 +301,11 @@ fn samples_follow_the_density() {
     let beckmann = CookTorrance::new(Beckmann::new(0.3).unwrap(), white());
     let ggx = CookTorrance::new(Ggx::new(0.5).unwrap(), white());
     let gaussian = CookTorrance::new(Gaussian::new(0.4).unwrap(), white());
-    let grained = CookTorrance::new(Beckmann::anisotropic(0.2, 0.7).unwrap(), white());
+    let grained_beckmann = CookTorrance::new(Beckmann::anisotropic(0.2, 0.7).unwrap(), white());
     let grained_ggx = CookTorrance::new(Ggx::anisotropic(0.6, 0.2).unwrap(), white());
+    let grained = |x, y| Beckmann::anisotropic(x, y).unwrap();
+    let mixture = Mixture::new([(0.3, grained(0.15, 0.6)), (0.7, grained(0.5, 0.3))]).unwrap();
+    let mixture = CookTorrance::new(mixture, white());
     for (theta, phi) in [(0.0, 0.0), (0.7, 0.5), (1.2, 2.0), (1.5, -1.0)] {
         let wo = from_spherical(theta, phi);
         let check = |name: &str, model: &dyn Brdf<f64, Color = f64>| {
@@ -311,7 +314,8 @@ fn samples_follow_the_density() {
         check("Beckmann, V-cavity", &beckmann);
         check("GGX, V-cavity", &ggx);
         check("Gaussian, V-cavity", &gaussian);
-        check("Beckmann with grain, V-cavity", &grained);
+        check("Beckmann with grain, V-cavity", &grained_beckmann);
+        check("mixture with grain, V-cavity", &mixture);
         check("GGX with grain, V-cavity", &grained_ggx);
         check("Beckmann, Smith", &beckmann.with_shadowing(SmithCorrelated));
         check("GGX with grain, Smith", &grained_ggx.with_shadowing(SmithSeparable));
