@@ -61,7 +61,8 @@ pub struct Sample<T: Real, C> {
     pub wi: T::Vec3,
     /// f_r cosθᵢ / pdf; zero where the draw fell below the surface and gives no direction.
     pub weight: C,
-    /// Density of `wi` per steradian; zero where the draw gives no direction.
+    /// Density of `wi` per steradian. Zero where the draw gives no direction, and where a lobe is
+    /// so narrow that rounding moved `wi` out of it; the weight then still counts.
     pub pdf: T,
 }
 

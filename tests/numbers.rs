@@ -56,7 +56,7 @@ macro_rules! lanes_equal_scalars {
             for (lanes, scalar) in
                 models::all::<Lanes<$float, N>>().iter().zip(models::all::<$float>())
             {
-                for chunk in pairs.chunks_exact(N) {
+                for (index, chunk) in pairs.chunks_exact(N).enumerate() {
                     let (wi, wo): (Vec<$vector>, Vec<$vector>) = chunk.iter().copied().unzip();
                     let u: [[$float; N]; 2] = [wi.iter(), wo.iter()].map(|w| {
                         let mut u = w.map(|w| (w.x.abs() * 97.0).fract());
@@ -65,6 +65,8 @@ macro_rules! lanes_equal_scalars {
                     let value = lanes.model.eval(gather(&wi), gather(&wo));
                     let pdf = lanes.model.pdf(gather(&wi), gather(&wo));
                     let sample = lanes.model.sample(gather(&wo), u.map(Lanes));
+                    // The default albedo takes 2304 samples: a few directions are enough.
+                    let albedo = (index % 64 == 0).then(|| lanes.model.albedo(gather(&wo)));
                     for lane in 0..N {
                         let at = |v: Vector3<Lanes<$float, N>>| {
                             [v.x.0[lane].to_bits(), v.y.0[lane].to_bits(), v.z.0[lane].to_bits()]
@@ -73,6 +75,9 @@ macro_rules! lanes_equal_scalars {
                         let (wi, wo) = (wi[lane], wo[lane]);
                         let context = format!("{} at {wi} {wo}", scalar.name);
                         assert_eq!(at(value), bits(scalar.model.eval(wi, wo)), "{context}");
+                        if let Some(albedo) = albedo {
+                            assert_eq!(at(albedo), bits(scalar.model.albedo(wo)), "{context}");
+                        }
                         let want = scalar.model.pdf(wi, wo);
                         assert_eq!(pdf.0[lane].to_bits(), want.to_bits(), "{context}");
                         let want = scalar.model.sample(wo, u.map(|u| u[lane]));

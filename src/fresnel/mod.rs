@@ -13,6 +13,8 @@ mod normal_incidence;
 mod polarized;
 mod schlick;
 
+use alloc::boxed::Box;
+
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};
 
@@ -28,6 +30,21 @@ pub use schlick::Schlick;
 ///
 /// On a microfacet surface the angle is that between the light and the facet (V·H), not the one
 /// to the macroscopic normal.
+///
+/// The trait is object safe:
+///
+/// ```
+/// use brdf::{Conductor, Fresnel, Schlick};
+/// use glam::Vec3;
+///
+/// let f0 = Vec3::new(0.95, 0.64, 0.54);
+/// let terms: [Box<dyn Fresnel<Color = Vec3>>; 2] = [
+///     Box::new(Schlick::new(f0)?),
+///     Box::new(Conductor::new(Vec3::new(0.2, 1.0, 1.2), Vec3::new(3.7, 2.6, 2.4))?),
+/// ];
+/// assert_eq!(terms[0].reflectance(1.0), f0);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
 pub trait Fresnel<T: Real = f32>: Send + Sync {
     /// What a reflectance has channels for.
     type Color: Color<T>;
@@ -48,6 +65,24 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         average_over_cosine(|cos| self.reflectance(cos))
     }
 }
+
+macro_rules! forward {
+    ($pointer:ty) => {
+        impl<T: Real, F: Fresnel<T> + ?Sized> Fresnel<T> for $pointer {
+            type Color = F::Color;
+            #[inline]
+            fn reflectance(&self, cos_theta: T) -> F::Color {
+                (**self).reflectance(cos_theta)
+            }
+            #[inline]
+            fn average(&self) -> F::Color {
+                (**self).average()
+            }
+        }
+    };
+}
+forward!(Box<F>);
+forward!(&F);
 
 /// 2 ∫₀¹ F(μ) μ dμ by quadrature over √μ.
 #[inline]
