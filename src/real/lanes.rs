@@ -41,8 +41,8 @@ impl<T: Copy, const N: usize> Lanes<T, N> {
     #[inline(always)]
     fn compare(self, other: Self, formula: impl Fn(T, T) -> bool) -> Lanes<bool, N> {
         let mut out = [false; N];
-        for lane in 0..N {
-            out[lane] = formula(self.0[lane], other.0[lane]);
+        for ((truth, a), b) in out.iter_mut().zip(self.0).zip(other.0) {
+            *truth = formula(a, b);
         }
         Lanes(out)
     }
