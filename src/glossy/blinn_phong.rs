@@ -1,10 +1,11 @@
 use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, LN_2, PI, TAU};
 
+use super::check_lobe;
 use super::cosine_power::power_of_cosine;
 use super::mirror::unit_viewer;
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{Pair, above_surface, reflect};
-use crate::error::{ParameterError, range};
+use crate::error::ParameterError;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector};
 
@@ -86,12 +87,7 @@ impl<C, T> BlinnPhong<C, T> {
         T: Real,
         C: Color<T>,
     {
-        ParameterError::check("specular", range::UNIT, |lower, upper| {
-            specular.outside(lower, upper)
-        })?;
-        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
-            exponent.outside(lower, upper)
-        })?;
+        check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent, constant: T::lit(1.0) })
     }
 }

@@ -1,10 +1,11 @@
 use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
+use super::check_lobe;
 use super::cosine_power::{power_of_versine, quarter_turn};
 use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
-use crate::error::{ParameterError, range};
+use crate::error::ParameterError;
 use crate::real::{Color, Mask, Real, Vector};
 
 /// Phong's highlight as printed in 1975, for pictures that must match it.
@@ -56,12 +57,7 @@ impl<C, T> ClassicPhong<C, T> {
         T: Real,
         C: Color<T>,
     {
-        ParameterError::check("specular", range::UNIT, |lower, upper| {
-            specular.outside(lower, upper)
-        })?;
-        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
-            exponent.outside(lower, upper)
-        })?;
+        check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent })
     }
 }

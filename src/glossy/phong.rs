@@ -1,10 +1,11 @@
 use core::f64::consts::FRAC_1_PI;
 
+use super::check_lobe;
 use super::cosine_power::{power_of_cosine, power_of_versine, quarter_turn};
 use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
-use crate::error::{ParameterError, range};
+use crate::error::ParameterError;
 use crate::real::{Color, Mask, Real, Vector};
 
 /// Phong's lobe as a physically plausible BRDF, also called modified Phong.
@@ -63,12 +64,7 @@ impl<C, T> Phong<C, T> {
         T: Real,
         C: Color<T>,
     {
-        ParameterError::check("specular", range::UNIT, |lower, upper| {
-            specular.outside(lower, upper)
-        })?;
-        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
-            exponent.outside(lower, upper)
-        })?;
+        check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent })
     }
 }

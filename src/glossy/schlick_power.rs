@@ -1,9 +1,10 @@
 use core::f64::consts::{FRAC_1_PI, TAU};
 
+use super::check_lobe;
 use super::mirror::{around_mirror, mean_cosine, mirror_versine, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
-use crate::error::{ParameterError, range};
+use crate::error::ParameterError;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector};
 
@@ -81,12 +82,7 @@ impl<C, T> SchlickPower<C, T> {
         T: Real,
         C: Color<T>,
     {
-        ParameterError::check("specular", range::UNIT, |lower, upper| {
-            specular.outside(lower, upper)
-        })?;
-        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
-            exponent.outside(lower, upper)
-        })?;
+        check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent, constant: T::lit(1.0) })
     }
 }
