@@ -1,0 +1,65 @@
+//! The page that shows the pictures.
+
+use std::fmt::Write;
+
+use crate::picture::Picture;
+
+const HEAD: &str = r#"<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>brdf: gallery</title>
+<style>
+body { margin: 2rem auto; padding: 0 1.5rem; max-width: 80rem; color: #222; background: #fff;
+  font: 16px/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.8rem; margin: 0 0 .5rem; }
+h2 { font-size: 1.3rem; margin: 2.5rem 0 1rem; border-bottom: 1px solid #ccc; }
+nav a { margin-right: 1rem; }
+.figures { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
+figure { margin: 0; width: min-content; min-width: min(16rem, 100%); }
+img { display: block; max-width: min(77rem, calc(100vw - 3rem)); height: auto; }
+figcaption { font-size: .875rem; margin-top: .4rem; }
+figcaption b { display: block; font-size: 1rem; }
+</style>
+</head>
+<body>
+<h1>Reflectance models</h1>
+"#;
+
+/// A page of all pictures; those of one section follow each other, sections keep their order.
+pub fn page(introduction: &str, pictures: &[Picture]) -> String {
+    let mut sections: Vec<&str> = Vec::new();
+    for picture in pictures {
+        if !sections.contains(&picture.section) {
+            sections.push(picture.section);
+        }
+    }
+    let mut html = String::from(HEAD);
+    let mut line = |text: std::fmt::Arguments| {
+        // Writing to a string cannot fail.
+        let _ = html.write_fmt(text);
+        html.push('\n');
+    };
+    line(format_args!("<p>{}</p>\n<nav>", escape(introduction)));
+    for (number, section) in sections.iter().enumerate() {
+        line(format_args!("<a href=\"#section-{number}\">{}</a>", escape(section)));
+    }
+    line(format_args!("</nav>"));
+    for (number, section) in sections.iter().enumerate() {
+        line(format_args!("<h2 id=\"section-{number}\">{}</h2>", escape(section)));
+        line(format_args!("<div class=\"figures\">"));
+        for picture in pictures.iter().filter(|picture| picture.section == *section) {
+            let (file, title) = (escape(&picture.file), escape(&picture.title));
+            line(format_args!("<figure><img src=\"{file}\" alt=\"{title}\">"));
+            let caption = escape(&picture.caption);
+            line(format_args!("<figcaption><b>{title}</b> {caption}</figcaption></figure>"));
+        }
+        line(format_args!("</div>"));
+    }
+    html + "</body>\n</html>\n"
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

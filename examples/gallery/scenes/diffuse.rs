@@ -1,0 +1,90 @@
+//! Lambert and Oren–Nayar.
+
+use std::error::Error;
+use std::f32::consts::PI;
+
+use brdf::{Lambert, OrenNayar};
+use glam::Vec3;
+
+use super::{Scene, material, row, series, single};
+use crate::environment::Environment;
+use crate::sphere::{Light, Material};
+
+const SECTION: &str = "Diffuse models";
+
+pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+    let light = Light::Around(studio);
+    let clay = Vec3::new(0.72, 0.42, 0.30);
+    let gray = Vec3::splat(0.8);
+    // The sun behind the viewer, of such strength that white paper facing it has radiance 1.
+    let moon = Light::Distant { towards: Vec3::Z, irradiance: PI };
+    let compared = || -> Result<Vec<(String, Material)>, Box<dyn Error>> {
+        let mut spheres = vec![("Lambert".into(), material(Lambert::new(gray)?))];
+        for sigma in [0.0, 0.1, 0.3] {
+            let model = material(OrenNayar::new(gray, sigma)?);
+            spheres.push((format!("Oren–Nayar, σ = {sigma}"), model));
+        }
+        Ok(spheres)
+    };
+    Ok(vec![
+        single(
+            SECTION,
+            "lambert",
+            ["Lambert", "Equal radiance in all directions; albedo 0.72, 0.42, 0.30."],
+            material(Lambert::new(clay)?),
+            light,
+        ),
+        single(
+            SECTION,
+            "oren-nayar",
+            [
+                "Oren–Nayar, σ = 0.3",
+                "The same albedo on rough ground: flatter than Lambert, brighter at the edge.",
+            ],
+            material(OrenNayar::new(clay, 0.3)?),
+            light,
+        ),
+        row(
+            SECTION,
+            "oren-nayar-full-moon",
+            [
+                "Full moon: light from the viewer's side",
+                "With σ the edge stays bright and the sphere looks like a disc, as the moon does; \
+                 σ = 0 is Lambert exactly.",
+            ],
+            compared()?,
+            moon,
+        ),
+        row(
+            SECTION,
+            "oren-nayar-studio",
+            ["The same in the studio", "Light from the sides hides most of the difference."],
+            compared()?,
+            light,
+        ),
+        series(
+            SECTION,
+            "oren-nayar-series",
+            [
+                "Oren–Nayar from smooth to very rough",
+                "Under head-on light; the centre darkens by A, the edge gains by B.",
+            ],
+            ("σ", [0.0, 0.1, 0.2, 0.4, 0.8]),
+            |sigma| Ok(material(OrenNayar::new(gray, sigma)?)),
+            moon,
+        )?,
+        row(
+            SECTION,
+            "oren-nayar-interreflection",
+            [
+                "Oren–Nayar with and without interreflection",
+                "Head-on light, σ = 0.5: the constant 0.57 in place of 0.33 brightens the surface.",
+            ],
+            vec![
+                ("0.33".into(), material(OrenNayar::new(gray, 0.5)?)),
+                ("0.57".into(), material(OrenNayar::with_interreflection(gray, 0.5)?)),
+            ],
+            moon,
+        ),
+    ])
+}
