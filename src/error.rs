@@ -74,7 +74,7 @@ pub(crate) mod range {
     /// Roughness: the root-mean-square slope or its like.
     pub(crate) const ROUGHNESS: (f64, f64) = (1e-8, 1e4);
     /// Standard deviation of the tilt of facets, radians: up to π/2, as `f32` rounds it.
-    pub(crate) const SIGMA: (f64, f64) = (0.0, core::f32::consts::FRAC_PI_2 as f64);
+    pub(crate) const SIGMA: (f64, f64) = (0.0, core::f64::consts::FRAC_PI_2);
     /// Weight of a term of a sum.
     pub(crate) const WEIGHT: (f64, f64) = (0.0, 1e10);
     /// Sum of the weights, averaged over the channels: what probabilities are made from.

@@ -10,7 +10,7 @@ use crate::real::{Mask, Real, Vector};
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
-/// | wᵢ | first of each pair | weight, divided by the sum of all | 0 … 10³⁰, not all 0 |
+/// | wᵢ | first of each pair | weight, divided by the sum of all | 0 … 10¹⁰, not all 0 |
 /// | Dᵢ | second of each pair | distribution | |
 ///
 /// Normalised, because its terms are. Cook and Torrance mix Beckmann distributions in this way.
@@ -38,7 +38,7 @@ impl<T: Real, D, const N: usize> Mixture<T, D, N> {
     /// A mixture of distributions with their weights.
     ///
     /// # Errors
-    /// If a weight is not in 0 … 10³⁰ or the sum of the weights is not in 10⁻³⁰ … 10³⁰.
+    /// If a weight is not in 0 … 10¹⁰ or the sum of the weights is not in 10⁻³⁰ … 10³⁰.
     pub fn new(components: [(T, D); N]) -> Result<Self, ParameterError> {
         let weights = components.each_ref().map(|(weight, _)| *weight);
         let mut total = T::lit(0.0);
