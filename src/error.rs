@@ -73,7 +73,7 @@ pub(crate) mod range {
     pub(crate) const UNIT: (f64, f64) = (0.0, 1.0);
     /// Roughness: the root-mean-square slope or its like.
     pub(crate) const ROUGHNESS: (f64, f64) = (1e-8, 1e4);
-    /// Standard deviation of the tilt of facets, radians: up to π/2, as `f32` rounds it.
+    /// Standard deviation of the tilt of facets, radians: up to π/2.
     pub(crate) const SIGMA: (f64, f64) = (0.0, core::f64::consts::FRAC_PI_2);
     /// Weight of a term of a sum.
     pub(crate) const WEIGHT: (f64, f64) = (0.0, 1e10);
