@@ -1,7 +1,7 @@
 use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, LN_2, PI, TAU};
 
-use super::check_lobe;
 use super::cosine_power::power_of_cosine;
+use super::lobe::check_lobe;
 use super::mirror::unit_viewer;
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{Pair, above_surface, reflect};

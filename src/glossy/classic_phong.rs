@@ -1,7 +1,7 @@
 use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
-use super::check_lobe;
 use super::cosine_power::{power_of_versine, quarter_turn};
+use super::lobe::check_lobe;
 use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;

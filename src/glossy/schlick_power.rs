@@ -1,6 +1,6 @@
 use core::f64::consts::{FRAC_1_PI, TAU};
 
-use super::check_lobe;
+use super::lobe::check_lobe;
 use super::mirror::{around_mirror, mean_cosine, mirror_versine, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;

@@ -1,0 +1,15 @@
+//! What all lobes have: a colour and an exponent.
+
+use crate::error::{ParameterError, range};
+use crate::real::{Color, Real};
+
+/// Checks both.
+pub(super) fn check_lobe<T: Real, C: Color<T>>(
+    specular: C,
+    exponent: T,
+) -> Result<(), ParameterError> {
+    ParameterError::check("specular", range::UNIT, |lower, upper| specular.outside(lower, upper))?;
+    ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
+        exponent.outside(lower, upper)
+    })
+}
