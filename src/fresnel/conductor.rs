@@ -1,4 +1,5 @@
-use super::{Fresnel, Polarized, incident_cosine};
+use super::polarized::Polarized;
+use super::term::{Fresnel, incident_cosine};
 use crate::error::{ParameterError, range};
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};

@@ -1,4 +1,4 @@
-use super::Fresnel;
+use super::term::Fresnel;
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Real};
 

@@ -1,4 +1,5 @@
-use super::{Fresnel, Polarized};
+use super::polarized::Polarized;
+use super::term::Fresnel;
 use crate::error::{ParameterError, range};
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};

@@ -6,7 +6,7 @@
 //! these forms subtract nearly equal numbers for indices near 1 and lose digits there.
 
 use super::conductor::Refraction;
-use super::incident_cosine;
+use super::term::incident_cosine;
 use crate::real::Real;
 
 /// The (g, c) form for a transparent medium,

@@ -1,4 +1,5 @@
-use super::{Dielectric, Fresnel, average_over_cosine};
+use super::dielectric::Dielectric;
+use super::term::{Fresnel, average_over_cosine};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Real};
 

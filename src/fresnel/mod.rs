@@ -12,11 +12,7 @@ mod interpolation;
 mod normal_incidence;
 mod polarized;
 mod schlick;
-
-use alloc::boxed::Box;
-
-use crate::quadrature::integrate;
-use crate::real::{Color, Real};
+mod term;
 
 pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
@@ -25,77 +21,4 @@ pub use interpolation::{Cook, Hall};
 pub use normal_incidence::{index_from_normal_incidence, normal_incidence};
 pub use polarized::Polarized;
 pub use schlick::Schlick;
-
-/// The reflectance of a smooth surface for unpolarised light.
-///
-/// On a microfacet surface the angle is that between the light and the facet (V·H), not the one
-/// to the macroscopic normal.
-///
-/// The trait is object safe:
-///
-/// ```
-/// use brdf::{Conductor, Fresnel, Schlick};
-/// use glam::Vec3;
-///
-/// let f0 = Vec3::new(0.95, 0.64, 0.54);
-/// let terms: [Box<dyn Fresnel<Color = Vec3>>; 2] = [
-///     Box::new(Schlick::new(f0)?),
-///     Box::new(Conductor::new(Vec3::new(0.2, 1.0, 1.2), Vec3::new(3.7, 2.6, 2.4))?),
-/// ];
-/// assert_eq!(terms[0].reflectance(1.0), f0);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-pub trait Fresnel<T: Real = f32>: Send + Sync {
-    /// What a reflectance has channels for.
-    type Color: Color<T>;
-
-    /// Reflectance in 0 … 1 at the cosine of the angle of incidence. ([`Cook`] is the exception: its
-    /// answer contains the light.)
-    ///
-    /// A cosine above 1 counts as 1. A negative one means light from the other side to
-    /// [`Dielectric`]; the other models have one side only and ignore the sign.
-    fn reflectance(&self, cos_theta: T) -> Self::Color;
-
-    /// Cosine-averaged reflectance 2 ∫₀¹ F(μ) μ dμ: the fraction reflected of light that arrives
-    /// with the same radiance from everywhere.
-    ///
-    /// By default 48 Gauss–Legendre nodes in √μ, which crowd near grazing, where a reflectance
-    /// changes fastest.
-    fn average(&self) -> Self::Color {
-        average_over_cosine(|cos| self.reflectance(cos))
-    }
-}
-
-macro_rules! forward {
-    ($pointer:ty) => {
-        impl<T: Real, F: Fresnel<T> + ?Sized> Fresnel<T> for $pointer {
-            type Color = F::Color;
-            #[inline]
-            fn reflectance(&self, cos_theta: T) -> F::Color {
-                (**self).reflectance(cos_theta)
-            }
-            #[inline]
-            fn average(&self) -> F::Color {
-                (**self).average()
-            }
-        }
-    };
-}
-forward!(Box<F>);
-forward!(&F);
-
-/// 2 ∫₀¹ F(μ) μ dμ by quadrature over √μ.
-#[inline]
-fn average_over_cosine<T: Real, C: Color<T>>(reflectance: impl Fn(T) -> C) -> C {
-    integrate(T::lit(0.0), T::lit(1.0), |root| {
-        let cos = root * root;
-        reflectance(cos) * (cos * root * T::lit(4.0))
-    })
-}
-
-/// The cosine of a surface with one side: |cosθ|, and at most 1 although rounding of a scalar
-/// product may have made it larger.
-#[inline(always)]
-fn incident_cosine<T: Real>(cos_theta: T) -> T {
-    cos_theta.abs().min(T::lit(1.0))
-}
+pub use term::Fresnel;

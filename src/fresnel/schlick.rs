@@ -1,4 +1,4 @@
-use super::{Fresnel, incident_cosine};
+use super::term::{Fresnel, incident_cosine};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Real};
 
