@@ -20,16 +20,28 @@ pub struct Environment {
 }
 
 impl Environment {
-    /// Decodes a Radiance picture; `turn` (a fraction of a full turn) is added to the azimuth, and
-    /// `exposure` multiplies all radiance.
-    pub fn new(file: &[u8], turn: f32, exposure: f32) -> Result<Self, Box<dyn Error>> {
+    /// Decodes a Radiance picture; `turn` (a fraction of a full turn) is added to the azimuth,
+    /// `exposure` multiplies all radiance, then `fill` is added to it.
+    pub fn new(file: &[u8], turn: f32, exposure: Vec3, fill: f32) -> Result<Self, Box<dyn Error>> {
         let picture = image::load_from_memory_with_format(file, ImageFormat::Hdr)?.into_rgb32f();
         let (width, height) = (picture.width() as usize, picture.height() as usize);
-        let radiance = picture.pixels().map(|pixel| Vec3::from_array(pixel.0) * exposure).collect();
+        let pixels = picture.pixels();
+        let radiance =
+            pixels.map(|pixel| Vec3::from_array(pixel.0) * exposure + Vec3::splat(fill)).collect();
+        Ok(Self::tabulated(width, height, radiance, turn))
+    }
+
+    /// The same radiance from everywhere: a white furnace.
+    pub fn uniform(radiance: f32) -> Self {
+        let (width, height) = (2, 16);
+        Self::tabulated(width, height, vec![Vec3::splat(radiance); width * height], 0.0)
+    }
+
+    fn tabulated(width: usize, height: usize, radiance: Vec<Vec3>, turn: f32) -> Self {
         let mut environment =
             Self { width, height, radiance, turn, rows: Vec::new(), columns: Vec::new() };
         environment.tabulate();
-        Ok(environment)
+        environment
     }
 
     /// The cumulated shares: in proportion to mean radiance and solid angle of each texel.

@@ -16,16 +16,26 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use environment::Environment;
+use glam::Vec3;
 use indicatif::{ProgressBar, ProgressStyle};
 use sphere::Quality;
 
 const STUDIO: &[u8] = include_bytes!("data/studio_128x64.hdr");
 
-const INTRODUCTION: &str = "Every model of the crate brdf on a sphere. Unless a caption says \
-    otherwise, the light is a photographed studio, with an umbrella at the left and a spotlight \
-    behind at the right. Exposure is fixed, so brightnesses compare; the tone curve is 1 − exp(−L), \
-    then sRGB. Nothing else is done to the pictures, and no sphere sees another. m is roughness, n \
-    an exponent or an index of refraction, σ an angle in radians.";
+/// Puts the spotlight to the left of the viewer, above, and the umbrella behind to the right.
+const TURN: f32 = -0.147;
+/// White balance, a little on the warm side, and such a brightness that paper facing the spotlight
+/// is a light grey.
+const EXPOSURE: Vec3 = Vec3::new(0.58, 0.48, 0.40);
+/// Grey from everywhere, since the studio's ceiling is black.
+const FILL: f32 = 0.15;
+
+const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
+    Unless a caption says otherwise, the light is a photographed studio with a spotlight above at \
+    the left, an umbrella behind at the right, and a little grey added from everywhere. Exposure is \
+    fixed, so brightnesses compare. The tone curve is M/(1 + M) for the largest channel M, the \
+    others keep their ratio to it; then sRGB. No sphere sees another. m is roughness, n an exponent \
+    or an index of refraction, σ an angle in radians.";
 
 struct Arguments {
     out: PathBuf,
@@ -48,8 +58,9 @@ fn arguments() -> Result<Arguments, String> {
 fn main() -> Result<(), Box<dyn Error>> {
     let Arguments { out, small } = arguments()?;
     std::fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
-    let studio = Environment::new(STUDIO, TURN, EXPOSURE)?;
-    let scenes = scenes::all(&studio)?;
+    let studio = Environment::new(STUDIO, TURN, EXPOSURE, FILL)?;
+    let furnace = Environment::uniform(1.0);
+    let scenes = scenes::all(&studio, &furnace)?;
 
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {elapsed}")?;
     let bar = ProgressBar::new(scenes.len() as u64).with_style(style);
@@ -57,9 +68,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     for scene in scenes {
         bar.set_message(scene.picture.file.clone());
         let quality = match (small, scene.spheres.len()) {
-            (true, _) => Quality { tile: 40, rays: 8 },
-            (false, 1) => Quality { tile: 288, rays: 96 },
-            (false, _) => Quality { tile: 240, rays: 96 },
+            (true, _) => Quality { tile: 120, rays: 24 },
+            (false, 1) => Quality { tile: 240, rays: 40 },
+            (false, _) if scene.picture.file == "hero.png" => Quality { tile: 240, rays: 100 },
+            (false, _) => Quality { tile: 200, rays: 40 },
         };
         let path = out.join(&scene.picture.file);
         sphere::render(&scene.spheres, scene.light, quality)
@@ -83,8 +95,3 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{} pictures: {}", pictures.len(), page.display());
     Ok(())
 }
-
-/// Puts the umbrella to the left of the viewer.
-const TURN: f32 = 0.288;
-/// White paper facing the umbrella has a radiance of about 1.
-const EXPOSURE: f32 = 0.4;

@@ -41,7 +41,7 @@ const RADIUS: f32 = 0.88;
 /// Height of the camera above the horizon, radians: the upper pole is in view.
 const ELEVATION: f32 = 0.35;
 /// The background at the top and at the bottom, linear display values.
-const BACKGROUND: [f32; 2] = [0.15, 0.055];
+const BACKGROUND: [f32; 2] = [0.10, 0.035];
 
 /// A row of spheres of unit radius, one per square, seen by a distant camera (parallel rays). Each
 /// is alone in its light: no shadow or reflection of another.
@@ -71,7 +71,12 @@ fn pixel_color(
     let tile = quality.tile as f32;
     let (mut sum, mut hits) = (Vec3::ZERO, 0.0);
     for index in 0..quality.rays {
-        let [ax, ay, u @ ..] = sequence(index, offset);
+        // Three even point sets, each in another order, so that they do not follow each other.
+        let shuffled = |factor: u32| u32::from(index) * factor % u32::from(quality.rays);
+        let [ax, ay] = point(shuffled(1), Vec2::new(offset[0], offset[1]));
+        let [u0, u1] = point(shuffled(29), Vec2::new(offset[2], offset[3]));
+        let [u2, u3] = point(shuffled(43), Vec2::new(offset[4], offset[5]));
+        let u = [u0, u1, u2, u3];
         let position = (corner + Vec2::new(ax, ay)) * (2.0 / tile) - 1.0;
         let position = Vec2::new(position.x, -position.y) / RADIUS;
         if position.length_squared() < 1.0 {
@@ -87,17 +92,16 @@ fn pixel_color(
     background.lerp(tone(sum / hits), hits / f32::from(quality.rays))
 }
 
-/// Six numbers in [0, 1): additive recurrence with powers of the root of x⁷ = x + 1
+/// A point of the unit square: additive recurrence with powers of the root of x³ = x + 1
 /// (M. Roberts, *The unreasonable effectiveness of quasirandom sequences*, 2018), shifted.
-fn sequence(index: u16, offset: [f32; 6]) -> [f32; 6] {
-    const ROOT: f64 = 1.1127756842787055;
-    let mut step = 1.0;
-    offset.map(|shift| {
-        step /= ROOT;
+fn point(index: u32, offset: Vec2) -> [f32; 2] {
+    const ROOT: f64 = 1.324717957244746;
+    let turn = |shift: f32, step: f64| {
         let value = f64::from(shift) + step * f64::from(index);
         // Rounding to single precision may reach 1.
         ((value - value.floor()) as f32).min(1.0 - f32::EPSILON)
-    })
+    };
+    [turn(offset.x, 1.0 / ROOT), turn(offset.y, 1.0 / (ROOT * ROOT))]
 }
 
 /// Radiance towards the camera from the point of the unit sphere at a place in the picture.
@@ -145,9 +149,10 @@ fn reflected(
     from_light + sample.weight * environment.radiance(direction) * share
 }
 
-/// The tone curve: proportional in the dark, towards 1 in the light.
+/// The tone curve: the largest channel M becomes M/(1 + M), the others keep their ratio to it, so
+/// that bright metal keeps its colour.
 fn tone(radiance: Vec3) -> Vec3 {
-    Vec3::ONE - (-radiance).exp()
+    radiance / (1.0 + radiance.max_element())
 }
 
 /// The sRGB transfer function, 8 bits.

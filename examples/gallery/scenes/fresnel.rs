@@ -17,7 +17,16 @@ fn facets(fresnel: impl Fresnel<f32, Color = Vec3> + 'static) -> Result<Material
     Ok(material(CookTorrance::new(Beckmann::new(0.2)?, fresnel)))
 }
 
-pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+fn polished(
+    fresnel: impl Fresnel<f32, Color = Vec3> + 'static,
+) -> Result<Material, Box<dyn Error>> {
+    Ok(material(CookTorrance::new(Beckmann::new(0.05)?, fresnel)))
+}
+
+pub(super) fn scenes<'a>(
+    studio: &'a Environment,
+    furnace: &'a Environment,
+) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
     let light = Light::Around(studio);
     let measured = "Exact equations with n and k measured by Johnson and Christy, interpolated at \
                     650, 550 and 450 nm for red, green and blue; m = 0.2.";
@@ -68,15 +77,16 @@ pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
             "fresnel-copper-forms",
             [
                 "Copper four ways",
-                "All with the F₀ of the measured indices; they differ near the edge.",
+                "In a white furnace, radiance 1 from everywhere: all have the F₀ of the measured indices \
+                 and differ in how the colour turns white towards the edge. m = 0.05.",
             ],
             vec![
-                ("Conductor".into(), facets(copper)?),
-                ("Schlick".into(), facets(Schlick::new(f0)?)?),
-                ("Hall, index 1.5".into(), facets(Hall::new(f0, 1.5)?)?),
-                ("Constant".into(), facets(Constant::new(f0)?)?),
+                ("Conductor".into(), polished(copper)?),
+                ("Schlick".into(), polished(Schlick::new(f0)?)?),
+                ("Hall, index 1.5".into(), polished(Hall::new(f0, 1.5)?)?),
+                ("Constant".into(), polished(Constant::new(f0)?)?),
             ],
-            light,
+            Light::Around(furnace),
         ),
         series(
             SECTION,

@@ -110,12 +110,12 @@ fn comparisons(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
             SECTION,
             "phong-blinn-grazing",
             [
-                "Grazing light: the lamp 140° from the viewer",
+                "Grazing light: the lamp 115° from the viewer",
                 "Phong's highlight spreads along the edge; Blinn's stays narrow across the plane \
                  of incidence, as reflections on water do.",
             ],
             pair()?,
-            lamp(140.0),
+            lamp(115.0),
         ),
         row(
             SECTION,

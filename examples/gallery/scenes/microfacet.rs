@@ -4,8 +4,8 @@ use std::error::Error;
 
 use brdf::{
     Beckmann, Blinn, Blinn1977, Blinn1977Printed, Conductor, Constant, CookTorrance,
-    CookTorrance1982Printed, Dielectric, Distribution, Gaussian, Ggx, Mixture, SmithCorrelated,
-    SmithSeparable,
+    CookTorrance1982Printed, Dielectric, Distribution, Gaussian, Ggx, Lambert, Mixture,
+    SmithCorrelated, SmithSeparable,
 };
 use glam::Vec3;
 
@@ -18,12 +18,15 @@ const DISTRIBUTIONS: &str = "Microfacets: distributions";
 const SHADOWING: &str = "Microfacets: shadowing";
 const HISTORY: &str = "Historical forms";
 
-pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
-    let light = Light::Around(studio);
+pub(super) fn scenes<'a>(
+    studio: &'a Environment,
+    furnace: &'a Environment,
+) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
+    let (light, furnace) = (Light::Around(studio), Light::Around(furnace));
     let mut scenes = distributions(light)?;
     scenes.extend(anisotropy(light)?);
-    scenes.extend(shadowing(light)?);
-    scenes.extend(history(light)?);
+    scenes.extend(shadowing(light, furnace)?);
+    scenes.extend(history(light, furnace)?);
     Ok(scenes)
 }
 
@@ -97,8 +100,8 @@ fn anisotropy(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
     Ok(vec![row(DISTRIBUTIONS, "anisotropic-ggx", words, spheres, light)])
 }
 
-fn shadowing(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
-    let white = Constant::new(Vec3::splat(0.95))?;
+fn shadowing<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
+    let white = Constant::new(Vec3::ONE)?;
     let smooth = CookTorrance::new(Beckmann::new(0.3)?, metal::silver()?);
     let rough = CookTorrance::new(Ggx::new(0.8)?, white);
     let one = |name: &str, title: &str, sphere| {
@@ -119,17 +122,20 @@ fn shadowing(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
         ),
         row(
             SHADOWING,
-            "shadowing-rough",
+            "shadowing-furnace",
             [
-                "The same on a rough surface",
-                "GGX, m = 0.8, F = 0.95: here shadowing decides how much light is lost.",
+                "A rough mirror in a white furnace",
+                "GGX, m = 0.8, F = 1, radiance 1 from everywhere: the picture is the directional \
+                 albedo. A surface that lost nothing would look like the white at the left; what \
+                 is missing is light that would be reflected more than once.",
             ],
             vec![
+                ("white: Lambert, albedo 1".into(), material(Lambert::new(Vec3::ONE)?)),
                 ("V-cavity".into(), material(rough)),
                 ("Smith correlated".into(), material(rough.with_shadowing(SmithCorrelated))),
                 ("Smith separable".into(), material(rough.with_shadowing(SmithSeparable))),
             ],
-            light,
+            furnace,
         ),
         series(
             SHADOWING,
@@ -145,7 +151,7 @@ fn shadowing(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
     ])
 }
 
-fn history(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
+fn history<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
     let frosted = CookTorrance::torrance_sparrow_1967(0.05, Dielectric::new(Vec3::splat(1.5))?)?;
     let (beckmann, copper) = (Beckmann::new(0.4)?, metal::copper()?);
     let wide = Blinn1977::new(0.3)?;
@@ -174,6 +180,21 @@ fn history(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
                 ("as printed".into(), material(CookTorrance1982Printed::new(beckmann, copper))),
             ],
             light,
+        ),
+        row(
+            HISTORY,
+            "cook-torrance-1982-furnace",
+            [
+                "The same in a white furnace",
+                "Radiance 1 from everywhere; a surface brighter than the white at the left makes \
+                 energy.",
+            ],
+            vec![
+                ("white: Lambert, albedo 1".into(), material(Lambert::new(Vec3::ONE)?)),
+                ("normalised".into(), metal(beckmann, copper)),
+                ("as printed".into(), material(CookTorrance1982Printed::new(beckmann, copper))),
+            ],
+            furnace,
         ),
         row(
             HISTORY,

@@ -29,13 +29,17 @@ pub struct Scene<'a> {
 type Made<'a> = Result<Scene<'a>, Box<dyn Error>>;
 
 /// All scenes, in the order of the page.
-pub fn all(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+/// `furnace` is light of the same radiance from everywhere.
+pub fn all<'a>(
+    studio: &'a Environment,
+    furnace: &'a Environment,
+) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
     let mut scenes = Vec::new();
     scenes.extend(showpiece::scenes(studio)?);
     scenes.extend(diffuse::scenes(studio)?);
     scenes.extend(lobes::scenes(studio)?);
-    scenes.extend(microfacet::scenes(studio)?);
-    scenes.extend(fresnel::scenes(studio)?);
+    scenes.extend(microfacet::scenes(studio, furnace)?);
+    scenes.extend(fresnel::scenes(studio, furnace)?);
     Ok(scenes)
 }
 
