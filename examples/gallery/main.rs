@@ -26,9 +26,9 @@ const STUDIO: &[u8] = include_bytes!("data/studio_128x64.hdr");
 const TURN: f32 = -0.147;
 /// White balance, a little on the warm side, and such a brightness that paper facing the spotlight
 /// is a light grey.
-const EXPOSURE: Vec3 = Vec3::new(0.58, 0.48, 0.40);
+const EXPOSURE: Vec3 = Vec3::new(0.48, 0.40, 0.34);
 /// Grey from everywhere, since the studio's ceiling is black.
-const FILL: f32 = 0.15;
+const FILL: f32 = 0.09;
 
 const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
     Unless a caption says otherwise, the light is a photographed studio with a spotlight above at \
@@ -68,10 +68,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     for scene in scenes {
         bar.set_message(scene.picture.file.clone());
         let quality = match (small, scene.spheres.len()) {
-            (true, _) => Quality { tile: 120, rays: 24 },
-            (false, 1) => Quality { tile: 240, rays: 40 },
-            (false, _) if scene.picture.file == "hero.png" => Quality { tile: 240, rays: 100 },
-            (false, _) => Quality { tile: 200, rays: 40 },
+            (true, _) => Quality { tile: 40, rays: 16 },
+            (false, 1) => Quality { tile: 240, rays: 32 },
+            (false, _) if scene.picture.file == "hero.png" => Quality { tile: 240, rays: 64 },
+            (false, _) => Quality { tile: 180, rays: 32 },
         };
         let path = out.join(&scene.picture.file);
         sphere::render(&scene.spheres, scene.light, quality)

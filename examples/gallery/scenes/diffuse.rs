@@ -16,8 +16,8 @@ pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
     let light = Light::Around(studio);
     let clay = Vec3::new(0.72, 0.42, 0.30);
     let gray = Vec3::splat(0.8);
-    // The sun behind the viewer, of such strength that white paper facing it has radiance 1.
-    let moon = Light::Distant { towards: Vec3::Z, irradiance: PI };
+    // The sun behind the viewer, of such strength that white paper facing it has radiance 2.
+    let moon = Light::Distant { towards: Vec3::Z, irradiance: 2.0 * PI };
     let compared = || -> Result<Vec<(String, Material)>, Box<dyn Error>> {
         let mut spheres = vec![("Lambert".into(), material(Lambert::new(gray)?))];
         for sigma in [0.0, 0.1, 0.3] {

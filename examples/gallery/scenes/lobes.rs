@@ -76,7 +76,7 @@ fn comparisons(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     let lamp = |degrees: f32| {
         let angle = degrees.to_radians();
         let towards = Vec3::new(angle.sin(), 0.0, angle.cos());
-        Light::Distant { towards, irradiance: PI }
+        Light::Distant { towards, irradiance: 2.0 * PI }
     };
     let pair = || -> Result<Vec<(String, Material)>, Box<dyn Error>> {
         Ok(vec![
