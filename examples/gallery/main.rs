@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let quality = match (small, scene.spheres.len()) {
             (true, _) => Quality { tile: 40, rays: 16 },
             (false, 1) => Quality { tile: 240, rays: 32 },
-            (false, _) if scene.picture.file == "hero.png" => Quality { tile: 240, rays: 64 },
+            (false, _) if scene.picture.file == "hero.png" => Quality { tile: 240, rays: 100 },
             (false, _) => Quality { tile: 180, rays: 32 },
         };
         let path = out.join(&scene.picture.file);

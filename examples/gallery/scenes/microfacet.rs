@@ -173,7 +173,7 @@ fn history<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>, B
             [
                 "Cook–Torrance: right and as printed in 1982",
                 "Copper, m = 0.4. The printed constants make the surface four times too bright: it \
-                 reflects more light than it receives, and the picture burns out on purpose.",
+                 reflects more light than it receives.",
             ],
             vec![
                 ("normalised".into(), metal(beckmann, copper)),
