@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use crate::quadrature::integrate;
+use crate::quadrature::mean_over_square;
 use crate::real::{Color, Real};
 
 /// A reflectance model: the ratio f_r of reflected radiance to irradiance, in sr⁻¹.
@@ -35,15 +35,14 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// Draws `wi` for `wo` from two independent uniform numbers in [0, 1).
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, Self::Color>;
 
-    /// Directional albedo ∫ f_r cosθᵢ dωᵢ: the fraction of the light that leaves, if it comes
-    /// from all sides of the viewer's mirror image; for a reciprocal model, the fraction reflected
-    /// of the light that arrives along `wo`.
+    /// Directional albedo ∫ f_r cosθᵢ dωᵢ: what the viewer at `wo` sees of a surroundings of
+    /// radiance 1. For a reciprocal model it is also the fraction reflected of the light that
+    /// arrives along `wo`.
     ///
-    /// By default the mean weight of a 48 × 48 Gauss–Legendre grid of samples; models that know
-    /// a closed form use it.
+    /// By default the mean weight of the 4181 samples of a lattice; models that know a closed form
+    /// use it.
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
-        integrate(zero, one, |u0| integrate(zero, one, |u1| weight(self, wo, [u0, u1])))
+        mean_over_square(|u| weight(self, wo, u))
     }
 }
 

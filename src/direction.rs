@@ -6,6 +6,15 @@
 use crate::real::{Mask, Real, Vector};
 
 /// A pair of directions above the surface and what the models need of it, computed once.
+///
+/// ```
+/// use brdf::Pair;
+/// use glam::Vec3;
+///
+/// let pair = Pair::<f32>::new(Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.6, 0.0, 0.8));
+/// assert_eq!(pair.h, Vec3::Z);
+/// assert!((pair.cos_d - 0.8).abs() < 1e-7);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<T: Real> {
     /// Towards the light.
@@ -42,18 +51,27 @@ impl<T: Real> Pair<T> {
         let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
         let h = <T::Vec3 as Vector<T>>::select(usable, sum * (T::lit(1.0) / length), normal);
         let cos_d = T::select(usable, length, sum.z()) * T::lit(0.5);
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         Self { wi, wo, cos_i, cos_o, h, cos_h: h.z(), cos_d, above }
     }
 }
 
 /// Where `w` is a direction above the surface: its z is positive and its squared length lies
-/// between ½ and 2. Lengths further from 1 are taken for mistakes, not for directions.
+/// within 1 % of 1. A length further off is taken for a mistake, not for a direction; one within
+/// counts as 1, and its error passes into the answers.
+///
+/// ```
+/// use glam::Vec3;
+///
+/// assert!(brdf::above_surface(Vec3::new(0.6, 0.0, 0.8)));
+/// assert!(!brdf::above_surface(Vec3::new(0.6, 0.0, -0.8)));
+/// assert!(!brdf::above_surface(Vec3::new(0.6, 0.0, 0.9)));
+/// ```
 #[inline(always)]
 #[must_use]
-pub fn above_surface<T: Real>(w: T::Vec3) -> T::Mask {
+pub fn above_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
     let length_squared = Vector::length_squared(w);
-    let is_direction = length_squared.ge(T::lit(0.5)).and(length_squared.le(T::lit(2.0)));
+    let is_direction = length_squared.ge(T::lit(0.99)).and(length_squared.le(T::lit(1.01)));
     is_direction.and(w.z().gt(T::lit(0.0)))
 }
 
@@ -72,7 +90,7 @@ pub fn reflect<T: Real, V: Vector<T>>(w: V, normal: V) -> V {
 }
 
 /// What [`refract`] answers.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refraction<V, M> {
     /// The refracted direction, pointing away from the surface on the far side; the mirror
     /// direction where the reflection is total.
@@ -83,8 +101,9 @@ pub struct Refraction<V, M> {
 
 /// The refracted direction by Snell's law, sin β / sin α = n₁/n₂.
 ///
-/// `w` points away from the surface, `normal` is the unit normal, `eta_above` and `eta_below` are
-/// the indices on the side that the normal points to and on the other; `w` may lie on either.
+/// `w` is a unit vector that points away from the surface, `normal` the unit normal. `eta_above` and
+/// `eta_below`, both positive, are the indices on the side that the normal points to and on the
+/// other; `w` may lie on either side.
 /// T = (n₁₂ N·L − √(1 − n₁₂²(1 − (N·L)²))) N − n₁₂ L with N on the side of L and n₁₂ = n₁/n₂.
 ///
 /// ```
@@ -123,7 +142,7 @@ pub fn refract<T: Real, V: Vector<T>>(
 }
 
 /// The angle of incidence in radians from which on all light is reflected, sin α = n₂/n₁; π/2
-/// where every angle transmits (n₂ ≥ n₁).
+/// where every angle transmits (n₂ ≥ n₁). Both indices are positive.
 ///
 /// ```
 /// assert!((brdf::critical_angle(1.5, 1.0) - 0.7297276562_f64).abs() < 1e-10);
@@ -135,7 +154,7 @@ pub fn critical_angle<T: Real>(n1: T, n2: T) -> T {
 }
 
 /// Brewster's angle in radians, tan α = n₂/n₁, where no light polarised in the plane of
-/// incidence is reflected.
+/// incidence is reflected. Both indices are positive.
 ///
 /// ```
 /// assert!((brdf::brewster_angle(1.0, 1.5) - 0.9827937232_f64).abs() < 1e-10);
@@ -162,8 +181,8 @@ pub fn from_spherical<T: Real>(theta: T, phi: T) -> T::Vec3 {
     Vector::new(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta)
 }
 
-/// Polar angle in [0, π] and azimuth in (−π, π] of a direction, in radians; exact also close to
-/// the normal. Azimuth 0 at the normal itself.
+/// Polar angle in [0, π] and azimuth in [−π, π] of a unit direction, in radians; exact also close
+/// to the normal. Azimuth 0 at the normal itself, −π where y is −0 and x negative.
 #[inline]
 #[must_use]
 pub fn to_spherical<T: Real, V: Vector<T>>(w: V) -> (T, T) {

@@ -11,7 +11,7 @@ use core::fmt;
 /// let error = Beckmann::new(-0.1_f64).unwrap_err();
 /// assert_eq!(error.parameter(), "roughness");
 /// assert_eq!(error.value(), -0.1);
-/// assert_eq!(error.to_string(), "roughness must be between 0.00000001 and 10000, not -0.1");
+/// assert_eq!(error.to_string(), "roughness must be between 1e-8 and 10000, not -0.1");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
@@ -59,7 +59,27 @@ impl ParameterError {
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { parameter, value, lower, upper } = self;
-        write!(f, "{parameter} must be between {lower} and {upper}, not {value}")
+        write!(
+            f,
+            "{parameter} must be between {} and {}, not {}",
+            Number(*lower),
+            Number(*upper),
+            Number(*value)
+        )
+    }
+}
+
+/// A number with an exponent where it would have many zeros without.
+struct Number(f64);
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let magnitude = self.0.abs();
+        if magnitude == 0.0 || (1e-4..1e6).contains(&magnitude) || !magnitude.is_finite() {
+            write!(f, "{}", self.0)
+        } else {
+            write!(f, "{:e}", self.0)
+        }
     }
 }
 

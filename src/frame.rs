@@ -1,6 +1,6 @@
 //! The shading frame: world directions into local ones and back.
 
-use crate::real::{Real, Vector};
+use crate::real::{Mask, Real, Vector};
 
 /// A right-handed orthonormal frame at a surface point; the normal becomes +z.
 ///
@@ -24,14 +24,15 @@ impl<V> Frame<V> {
     /// The frame around a normal, with a tangent that varies smoothly but for the pole −z
     /// (Duff et al., *Building an Orthonormal Basis, Revisited*, JCGT 6(1), 2017).
     ///
-    /// The normal is normalised; a vector too short to have a direction counts as +z.
+    /// The normal may have any length. Without a direction (not finite, or no component above
+    /// 10⁻³⁷) it counts as +z.
     #[must_use]
     pub fn from_normal<T: Real>(normal: V) -> Self
     where
         V: Vector<T>,
     {
         let one = T::lit(1.0);
-        let n = Vector::normalize_or_normal(normal);
+        let n = unit(normal);
         let sign = one.copysign(n.z());
         let a = -one / (sign + n.z());
         let b = n.x() * n.y() * a;
@@ -43,7 +44,8 @@ impl<V> Frame<V> {
     }
 
     /// The frame around a normal whose tangent is the given one, made perpendicular. Where the
-    /// tangent has no direction across the normal, this is [`from_normal`](Self::from_normal).
+    /// tangent has no direction across the normal (less than 10⁻⁴ of its length), this is
+    /// [`from_normal`](Self::from_normal).
     #[must_use]
     pub fn from_normal_and_tangent<T: Real>(normal: V, tangent: V) -> Self
     where
@@ -51,11 +53,13 @@ impl<V> Frame<V> {
     {
         let around = Self::from_normal(normal);
         let n = around.normal;
-        let t = Vector::normalize_or_normal(tangent);
+        let t = unit(tangent);
         let across = t - n * Vector::dot(t, n);
         // Below this length rounding, not the tangent, would decide the direction.
-        let usable = Vector::length_squared(across).gt(T::lit(1e-10));
+        let usable = Vector::length_squared(across).gt(T::lit(1e-8));
         let tangent = Vector::normalize_or_normal(V::select(usable, across, around.tangent));
+        // What the difference of two near vectors lost, the second time takes nothing away.
+        let tangent = Vector::normalize_or_normal(tangent - n * Vector::dot(tangent, n));
         Self { tangent, bitangent: Vector::cross(n, tangent), normal: n }
     }
 
@@ -109,4 +113,14 @@ impl<V> Frame<V> {
     {
         self.tangent * local.x() + self.bitangent * local.y() + self.normal * local.z()
     }
+}
+
+/// The unit vector of the same direction, for vectors of any finite length; +z where there is no
+/// direction.
+fn unit<T: Real, V: Vector<T>>(v: V) -> V {
+    let largest = v.x().abs().max(v.y().abs()).max(v.z().abs());
+    let usable = largest.gt(T::lit(1e-37)).and(largest.le(T::max_finite()));
+    let scale = T::lit(1.0) / T::select(usable, largest, T::lit(1.0));
+    let normal = V::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+    Vector::normalize_or_normal(V::select(usable, v * scale, normal))
 }

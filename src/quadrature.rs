@@ -1,4 +1,4 @@
-//! Integrals by Gauss–Legendre quadrature.
+//! Integrals: Gauss–Legendre nodes on a line, a lattice on the unit square.
 
 use core::ops::{Add, Mul};
 
@@ -58,4 +58,39 @@ where
         sum = sum + pair(node);
     }
     sum * half
+}
+
+/// Points of the lattice of [`mean_over_square`] and its step: neighbours in Fibonacci's sequence.
+const LATTICE: u32 = 4181;
+const STEP: u32 = 2584;
+/// A row of the sum. The lattice has 37 of them; short sums lose fewer digits than a long one.
+const ROW: u32 = 113;
+
+/// The mean of `formula` over the unit square, by the 4181 points of a Fibonacci lattice.
+///
+/// For formulas that are smooth, or jump along a few lines, as samples do at the horizon. All
+/// points weigh the same, so that the mean never leaves the range of the formula.
+///
+/// ```
+/// use brdf::quadrature::mean_over_square;
+///
+/// let quarter_disk = mean_over_square(|[x, y]: [f64; 2]| f64::from(u8::from(x * x + y * y < 1.0)));
+/// assert!((quarter_disk - std::f64::consts::FRAC_PI_4).abs() < 2e-3);
+/// ```
+#[inline]
+pub fn mean_over_square<T, A>(formula: impl Fn([T; 2]) -> A) -> A
+where
+    T: Real,
+    A: Copy + Add<Output = A> + Mul<T, Output = A>,
+{
+    let at = |index: u32| {
+        let place = |number: u32| T::lit((f64::from(number) + 0.5) / f64::from(LATTICE));
+        formula([place(index), place(index * STEP % LATTICE)])
+    };
+    let row = |row: u32| {
+        let first = row * ROW;
+        (first + 1..first + ROW).fold(at(first), |sum, index| sum + at(index))
+    };
+    let sum = (1..LATTICE / ROW).fold(row(0), |sum, index| sum + row(index));
+    sum * T::lit(1.0 / f64::from(LATTICE))
 }

@@ -1,4 +1,5 @@
 use alloc::vec::Vec;
+use core::fmt;
 
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
@@ -30,17 +31,25 @@ use crate::real::{Color, Mask, Real, Vector};
 /// assert!((plastic.albedo(Vec3::Z).x - 0.82).abs() < 1e-6);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct WeightedSum<M, C = glam::Vec3, T = f32> {
     terms: Vec<Term<M, C, T>>,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 struct Term<M, C, T> {
     weight: C,
     /// The probability to draw from this term.
     probability: T,
     model: M,
+}
+
+/// Shows the weights; models behind `dyn` have nothing to show.
+impl<M, C: fmt::Debug, T> fmt::Debug for WeightedSum<M, C, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("WeightedSum ")?;
+        f.debug_list().entries(self.terms.iter().map(|term| &term.weight)).finish()
+    }
 }
 
 impl<M, C, T> WeightedSum<M, C, T> {

@@ -56,3 +56,36 @@ fn degenerate_normals_and_tangents() {
     assert_eq!(Frame::from_normal(DVec3::ZERO).normal(), DVec3::Z);
     assert_eq!(Frame::from_normal(Vec3::ZERO).normal(), Vec3::Z);
 }
+
+/// A tangent almost along the normal leaves little to make perpendicular, in single precision too.
+#[test]
+fn tangents_close_to_the_normal() {
+    for normal in [Vec3::new(0.3, 0.5, 0.8124038), Vec3::new(0.01039, -0.92697, -0.375)] {
+        let normal = normal.normalize();
+        for exponent in 0..60 {
+            let offset = 0.1_f32 * 0.75_f32.powi(exponent);
+            let frame = Frame::from_normal_and_tangent(normal, normal + Vec3::X * offset);
+            let (t, b, n) = (frame.tangent(), frame.bitangent(), frame.normal());
+            for (axis, other) in [(t, b), (b, n), (n, t)] {
+                assert!(axis.dot(other).abs() < 3e-7, "{offset:e}: {frame:?}");
+                assert!((axis.length() - 1.0).abs() < 3e-7, "{offset:e}: {frame:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn normals_of_any_length_and_of_none() {
+    for length in [1e-30_f32, 1e-10, 1e15, 2e19, 1e38] {
+        let frame = Frame::from_normal(Vec3::splat(length));
+        assert!(frame.normal().abs_diff_eq(Vec3::splat(3.0_f32.sqrt().recip()), 1e-6), "{length}");
+    }
+    for nothing in [f32::INFINITY, f32::NEG_INFINITY, f32::NAN] {
+        let frame = Frame::from_normal(Vec3::new(nothing, 0.5, 0.5));
+        assert_eq!(frame.normal(), Vec3::Z, "{nothing}");
+        let frame = Frame::from_normal_and_tangent(Vec3::X, Vec3::new(0.0, nothing, 0.0));
+        assert!(frame.to_world(Vec3::ONE).is_finite(), "{nothing}");
+    }
+    let frame = Frame::from_normal(DVec3::splat(1e200));
+    assert_orthonormal(&frame);
+}

@@ -82,10 +82,10 @@ fn assert_sound<T: Real<Mask = bool> + Into<f64> + PartialOrd>(
     let sample = entry.model.sample(wo, [T::lit(u[0]), T::lit(u[1])]);
     each("weight", sample.weight);
     sound("sample pdf", sample.pdf);
-    // As long as the direction it mirrors, which may be √2.
+    // As long as the direction it mirrors, whose length may be 0.5 % off.
     for component in [sample.wi.x(), sample.wi.y(), sample.wi.z()] {
         let component: f64 = component.into();
-        assert!(component.abs() <= 1.4143, "{}: sample {component} for {wo:?}", entry.name);
+        assert!(component.abs() <= 1.0051, "{}: sample {component} for {wo:?}", entry.name);
     }
 }
 

@@ -53,13 +53,13 @@ impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {
 
     #[inline]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         C::choose(above, self.albedo * T::lit(FRAC_1_PI), C::splat(T::lit(0.0)))
     }
 
     #[inline]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
     }
 
@@ -67,11 +67,11 @@ impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let wi = cosine_hemisphere(u);
         Sample { wi, weight: self.albedo, pdf: wi.z() * T::lit(FRAC_1_PI) }
-            .only_where(above_surface::<T>(wi).and(above_surface::<T>(wo)))
+            .only_where(above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
     }
 
     #[inline]
     fn albedo(&self, wo: T::Vec3) -> C {
-        C::choose(above_surface::<T>(wo), self.albedo, C::splat(T::lit(0.0)))
+        C::choose(above_surface::<T, _>(wo), self.albedo, C::splat(T::lit(0.0)))
     }
 }

@@ -116,14 +116,14 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
 
     #[inline]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let value = T::lit(FRAC_1_PI) * self.relative(wi, wo);
         C::choose(above, self.albedo * value, C::splat(T::lit(0.0)))
     }
 
     #[inline]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
     }
 
@@ -132,7 +132,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
         let wi = cosine_hemisphere(u);
         let weight = self.albedo * self.relative(wi, wo);
         Sample { wi, weight, pdf: wi.z() * T::lit(FRAC_1_PI) }
-            .only_where(above_surface::<T>(wi).and(above_surface::<T>(wo)))
+            .only_where(above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
     }
 
     #[inline]
@@ -146,6 +146,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
         let tangent = sin * cos * (one + sin + sin * sin) / (one + sin);
         let azimuth = sin * (theta - sin * cos) * T::lit(0.5) + tangent * third;
         let value = self.constant + self.backscatter * T::lit(FRAC_2_PI) * azimuth;
-        C::choose(above_surface::<T>(wo), self.albedo * value, C::splat(T::lit(0.0)))
+        C::choose(above_surface::<T, _>(wo), self.albedo * value, C::splat(T::lit(0.0)))
     }
 }

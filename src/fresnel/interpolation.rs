@@ -1,5 +1,5 @@
 use super::dielectric::Dielectric;
-use super::term::{Fresnel, average_over_cosine};
+use super::term::{Fresnel, average_over_cosine, incident_cosine};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Real};
 
@@ -82,7 +82,7 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
     fn reflectance(&self, cos_theta: T) -> C {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         let normal = self.reference.reflectance(one);
-        let rise = (self.reference.reflectance(cos_theta) - normal).max(zero);
+        let rise = (self.reference.reflectance(incident_cosine(cos_theta)) - normal).max(zero);
         let room = one - normal;
         let weight = rise / T::select(room.gt(zero), room, one);
         self.f0.map(|f0| f0 + (one - f0) * weight)

@@ -119,7 +119,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
         let wi = reflect(viewer, h);
         // Half vectors that the viewer sees from behind give no direction.
         let cos_d = Vector::dot(viewer, h);
-        let drawn = above_surface::<T>(wi).and(above_surface::<T>(wo)).and(cos_d.gt(zero));
+        let drawn = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)).and(cos_d.gt(zero));
         // f cosθᵢ / pdf, where N·L < 2 (V·H)(N·H) makes the quotient by N·H harmless.
         let quotient = cos_d * wi.z() / T::select(drawn, cos_h, one);
         let scale = self.constant * T::lit(4.0 * TAU) / (self.exponent + two);
@@ -152,7 +152,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
             ring * (sin_t * cos_t * pi * (last - first))
         });
         let albedo = self.specular * (self.constant * (whole + cut) * T::lit(2.0)).max(zero);
-        C::choose(above_surface::<T>(wo), albedo, C::splat(zero))
+        C::choose(above_surface::<T, _>(wo), albedo, C::splat(zero))
     }
 }
 

@@ -67,7 +67,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
 
     #[inline]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let cos = T::select(above, wi.z(), T::lit(1.0));
         let power = power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
         let value = (power / cos).min(T::max_finite());
@@ -76,7 +76,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
 
     #[inline]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let constant = (self.exponent + T::lit(1.0)) * T::lit(0.5 * FRAC_1_PI);
         let value = constant * power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
         T::select(above, value, T::lit(0.0))
@@ -97,6 +97,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
         let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
         let (within, _) = quarter_turn(self.exponent, w.z(), sin);
         let albedo = self.specular * (T::lit(PI) / (self.exponent + one) * (one + within));
-        C::choose(above_surface::<T>(wo), albedo, C::splat(T::lit(0.0)))
+        C::choose(above_surface::<T, _>(wo), albedo, C::splat(T::lit(0.0)))
     }
 }

@@ -20,7 +20,7 @@ pub(super) fn mirror_versine<T: Real>(wi: T::Vec3, wo: T::Vec3) -> T {
 #[inline(always)]
 pub(super) fn unit_viewer<T: Real>(wo: T::Vec3) -> T::Vec3 {
     let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-    let viewer = <T::Vec3 as Vector<T>>::select(above_surface::<T>(wo), wo, normal);
+    let viewer = <T::Vec3 as Vector<T>>::select(above_surface::<T, _>(wo), wo, normal);
     Vector::normalize_or_normal(viewer)
 }
 

@@ -74,7 +74,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
 
     #[inline]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let constant = (self.exponent + T::lit(2.0)) * T::lit(0.5 * FRAC_1_PI);
         let value = constant * power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
         C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
@@ -82,7 +82,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
 
     #[inline]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let constant = (self.exponent + T::lit(1.0)) * T::lit(0.5 * FRAC_1_PI);
         let value = constant * power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
         T::select(above, value, T::lit(0.0))
@@ -106,6 +106,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
         let beyond = power_of_cosine(sin_squared.sqrt(), cos * cos, self.exponent + T::lit(2.0));
         let value = cos * (one + within) + beyond / ((self.exponent + one) * whole);
         let albedo = self.specular * (value * T::lit(0.5));
-        C::choose(above_surface::<T>(wo), albedo, C::splat(T::lit(0.0)))
+        C::choose(above_surface::<T, _>(wo), albedo, C::splat(T::lit(0.0)))
     }
 }

@@ -169,7 +169,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
 
     #[inline]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T>(wi).and(above_surface::<T>(wo));
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let value = self.constant * self.shape(mirror_versine::<T>(wi, wo));
         C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
     }
@@ -178,7 +178,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let versine = mirror_versine::<T>(wi, wo);
         let inside =
-            above_surface::<T>(wi).and(above_surface::<T>(wo)).and(versine.lt(T::lit(1.0)));
+            above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)).and(versine.lt(T::lit(1.0)));
         let versine = T::select(inside, versine, T::lit(0.0));
         let density = self.sampled_shape(versine) / (T::lit(TAU) * self.sampled_integral());
         T::select(inside, density, T::lit(0.0))
@@ -210,6 +210,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
             mean_weight(first + rest * t * t) * (rest * t * T::lit(2.0))
         });
         let albedo = self.specular * (whole + cut);
-        C::choose(above_surface::<T>(wo), albedo, C::splat(zero))
+        C::choose(above_surface::<T, _>(wo), albedo, C::splat(zero))
     }
 }

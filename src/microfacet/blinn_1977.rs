@@ -15,7 +15,7 @@ use crate::real::Real;
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
 /// | α | `alpha` | angle between the half vector and the normal, radians | 0 … π/2 |
-/// | β | `beta` | angle at which D = ½, radians | 10⁻⁴ … 1.57 |
+/// | β | `beta` | angle at which D = ½, radians | 2·10⁻⁴ … 1.57 |
 ///
 /// For reflection use the normalised forms: [`Blinn`](crate::Blinn) with exponent c₁,
 /// [`Gaussian`](crate::Gaussian) with roughness 1/c₂, [`Ggx`](crate::Ggx) with roughness c₃, which
@@ -44,9 +44,9 @@ impl<T: Real> Blinn1977<T> {
     /// The three distributions with the given half-width angle in radians.
     ///
     /// # Errors
-    /// If `beta` is not in 10⁻⁴ … 1.57.
+    /// If `beta` is not in 2·10⁻⁴ … 1.57.
     pub fn new(beta: T) -> Result<Self, ParameterError> {
-        ParameterError::check("beta", (1e-4, 1.57), |lower, upper| beta.outside(lower, upper))?;
+        ParameterError::check("beta", (2e-4, 1.57), |lower, upper| beta.outside(lower, upper))?;
         let sin_squared = beta.sin().squared();
         Ok(Self {
             c1: T::lit(2.0 * LN_2) / beta.tan().squared().ln_1p(),
@@ -67,7 +67,8 @@ impl<T: Real> Blinn1977<T> {
         self.c2
     }
 
-    /// The eccentricity of the ellipsoid of D₃: 0 for a mirror, 1 for a sphere.
+    /// The ratio of the axes of the ellipsoid of D₃ (which Blinn calls its eccentricity): 0 for a
+    /// mirror, 1 for a sphere.
     #[must_use]
     pub fn c3(&self) -> T {
         self.c3_squared.sqrt()

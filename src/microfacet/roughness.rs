@@ -60,7 +60,7 @@ impl<T: Real> Roughness<T> {
     #[inline(always)]
     pub(super) fn stretch(&self, w: T::Vec3) -> T::Vec3 {
         let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-        let w: T::Vec3 = Vector::select(above_surface::<T>(w), w, normal);
+        let w: T::Vec3 = Vector::select(above_surface::<T, _>(w), w, normal);
         let stretched: T::Vec3 = Vector::new(w.x() * self.along[0], w.y() * self.along[1], w.z());
         Vector::normalize_or_normal(stretched)
     }

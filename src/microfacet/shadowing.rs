@@ -1,5 +1,7 @@
 //! What a model of shadowing and masking can do.
 
+use alloc::boxed::Box;
+
 use crate::direction::Pair;
 use crate::real::Real;
 
@@ -26,3 +28,28 @@ pub trait Shadowing<T: Real, D>: Send + Sync {
     /// G₁(wo, h) (wo·h)₊ D(h) / (N·wo).
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 }
+
+macro_rules! forward {
+    ($pointer:ty) => {
+        impl<T: Real, D, S: Shadowing<T, D> + ?Sized> Shadowing<T, D> for $pointer {
+            #[inline]
+            fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
+                (**self).visibility(distribution, pair)
+            }
+            #[inline]
+            fn masking(&self, distribution: &D, pair: &Pair<T>) -> T {
+                (**self).masking(distribution, pair)
+            }
+            #[inline]
+            fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
+                (**self).unshadowed(distribution, pair)
+            }
+            #[inline]
+            fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+                (**self).sample_visible(distribution, wo, u)
+            }
+        }
+    };
+}
+forward!(Box<S>);
+forward!(&S);

@@ -166,7 +166,7 @@ pub trait Real:
     /// Arc cosine in [0, π]; arguments outside [−1, 1] count as the nearest end.
     #[must_use]
     fn acos(self) -> Self;
-    /// The angle of the point (x = `other`, y = `self`) in (−π, π]; 0 at the origin.
+    /// The angle of the point (x = `other`, y = `self`) in [−π, π]; 0 at the origin.
     #[must_use]
     fn atan2(self, other: Self) -> Self;
     /// Error function.
