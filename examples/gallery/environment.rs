@@ -4,7 +4,7 @@ use std::error::Error;
 use std::f32::consts::{PI, TAU};
 
 use glam::Vec3;
-use image::ImageFormat;
+use image::{ImageFormat, Rgb};
 
 /// Radiance from every direction: an equirectangular picture, +y up, turned about the vertical.
 #[derive(Debug)]
@@ -19,15 +19,33 @@ pub struct Environment {
     columns: Vec<f32>,
 }
 
+/// A round lamp, far away.
+#[derive(Clone, Copy, Debug)]
+pub struct Lamp {
+    /// Its centre; of any length, +y up.
+    pub towards: Vec3,
+    /// Its angular radius in radians.
+    pub radius: f32,
+    /// Per channel.
+    pub radiance: Vec3,
+}
+
 impl Environment {
     /// Decodes a Radiance picture; `turn` (a fraction of a full turn) is added to the azimuth,
-    /// `exposure` multiplies all radiance, then `fill` is added to it.
-    pub fn new(file: &[u8], turn: f32, exposure: Vec3, fill: f32) -> Result<Self, Box<dyn Error>> {
+    /// `exposure` multiplies all radiance, and the lamp shines before it.
+    pub fn new(file: &[u8], turn: f32, exposure: Vec3, lamp: Lamp) -> Result<Self, Box<dyn Error>> {
         let picture = image::load_from_memory_with_format(file, ImageFormat::Hdr)?.into_rgb32f();
         let (width, height) = (picture.width() as usize, picture.height() as usize);
-        let pixels = picture.pixels();
-        let radiance =
-            pixels.map(|pixel| Vec3::from_array(pixel.0) * exposure + Vec3::splat(fill)).collect();
+        let towards = lamp.towards.normalize();
+        let texel = |(x, y, pixel): (u32, u32, &Rgb<f32>)| {
+            let azimuth = TAU * ((x as f32 + 0.5) / width as f32 - turn);
+            let (sin, cos) = (PI * (y as f32 + 0.5) / height as f32).sin_cos();
+            let direction = Vec3::new(sin * azimuth.cos(), cos, sin * azimuth.sin());
+            let photograph = Vec3::from_array(pixel.0) * exposure;
+            let lit = direction.dot(towards) > lamp.radius.cos();
+            if lit { photograph + lamp.radiance } else { photograph }
+        };
+        let radiance = picture.enumerate_pixels().map(texel).collect();
         Ok(Self::tabulated(width, height, radiance, turn))
     }
 

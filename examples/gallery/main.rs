@@ -15,25 +15,27 @@ mod sphere;
 use std::error::Error;
 use std::path::PathBuf;
 
-use environment::Environment;
+use environment::{Environment, Lamp};
 use glam::Vec3;
 use indicatif::{ProgressBar, ProgressStyle};
 use sphere::Quality;
 
-const STUDIO: &[u8] = include_bytes!("data/studio_128x64.hdr");
+const SQUARE: &[u8] = include_bytes!("data/city_256x128.hdr");
 
-/// Puts the spotlight to the left of the viewer, above, and the umbrella behind to the right.
-const TURN: f32 = -0.147;
-/// White balance, a little on the warm side, and such a brightness that paper facing the spotlight
-/// is a light grey.
-const EXPOSURE: Vec3 = Vec3::new(0.48, 0.40, 0.34);
-/// Grey from everywhere, since the studio's ceiling is black.
-const FILL: f32 = 0.09;
+/// Puts the brightest clouds to the left of the viewer and the buildings behind.
+const TURN: f32 = 0.1;
+/// White balance: a little warm, as the eye would have it.
+const EXPOSURE: Vec3 = Vec3::new(0.95, 0.9, 0.72);
+/// A round lamp before the square, at the left above the viewer's shoulder.
+const LAMP: Lamp = Lamp {
+    towards: Vec3::new(-0.5, 0.62, 0.6),
+    radius: 0.2,
+    radiance: Vec3::new(26.0, 23.0, 18.0),
+};
 
 const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
-    Unless a caption says otherwise, the light is a photographed studio with a spotlight above at \
-    the left, an umbrella behind at the right, and a little grey added from everywhere. Exposure is \
-    fixed, so brightnesses compare. The tone curve is M/(1 + M) for the largest channel M, the \
+    Unless a caption says otherwise, the light is a photographed square under an overcast sky, with \
+    a round warm lamp added above at the left. Exposure is fixed, so brightnesses compare. The tone curve is M/(1 + M) for the largest channel M, the \
     others keep their ratio to it; then sRGB. No sphere sees another. m is roughness, n an exponent \
     or an index of refraction, σ an angle in radians.";
 
@@ -58,9 +60,9 @@ fn arguments() -> Result<Arguments, String> {
 fn main() -> Result<(), Box<dyn Error>> {
     let Arguments { out, small } = arguments()?;
     std::fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
-    let studio = Environment::new(STUDIO, TURN, EXPOSURE, FILL)?;
+    let square = Environment::new(SQUARE, TURN, EXPOSURE, LAMP)?;
     let furnace = Environment::uniform(1.0);
-    let scenes = scenes::all(&studio, &furnace)?;
+    let scenes = scenes::all(&square, &furnace)?;
 
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {elapsed}")?;
     let bar = ProgressBar::new(scenes.len() as u64).with_style(style);

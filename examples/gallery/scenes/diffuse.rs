@@ -12,8 +12,8 @@ use crate::sphere::{Light, Material};
 
 const SECTION: &str = "Diffuse models";
 
-pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
-    let light = Light::Around(studio);
+pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+    let light = Light::Around(square);
     let clay = Vec3::new(0.72, 0.42, 0.30);
     let gray = Vec3::splat(0.8);
     // The sun behind the viewer, of such strength that white paper facing it has radiance 2.
@@ -57,7 +57,7 @@ pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
         ),
         row(
             SECTION,
-            "oren-nayar-studio",
+            "oren-nayar-square",
             ["The same in the studio", "Light from the sides hides most of the difference."],
             compared()?,
             light,

@@ -24,10 +24,10 @@ fn polished(
 }
 
 pub(super) fn scenes<'a>(
-    studio: &'a Environment,
+    square: &'a Environment,
     furnace: &'a Environment,
 ) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
-    let light = Light::Around(studio);
+    let light = Light::Around(square);
     let measured = "Exact equations with n and k measured by Johnson and Christy, interpolated at \
                     650, 550 and 450 nm for red, green and blue; m = 0.2.";
     let copper: Conductor = metal::copper()?;

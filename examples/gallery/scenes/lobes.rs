@@ -23,17 +23,17 @@ fn on_ground(lobe: Material) -> Result<Material, Box<dyn Error>> {
     Ok(material(WeightedSum::new([(Vec3::splat(0.85), ground), (Vec3::splat(0.15), lobe)])?))
 }
 
-pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
-    let mut scenes = models(studio)?;
-    scenes.extend(comparisons(studio)?);
+pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+    let mut scenes = models(square)?;
+    scenes.extend(comparisons(square)?);
     Ok(scenes)
 }
 
 type Constructor = fn(f32) -> Result<Material, Box<dyn Error>>;
 
 /// Each model with one exponent and as a series.
-fn models(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
-    let light = Light::Around(studio);
+fn models(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+    let light = Light::Around(square);
     let models: [(&str, &str, &str, Constructor); 4] = [
         ("phong", "Phong", "Power of the cosine to the mirror direction, normalised.", |n| {
             Ok(material(Phong::new(SPECULAR, n)?))
@@ -72,7 +72,7 @@ fn models(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     Ok(scenes)
 }
 
-fn comparisons(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+fn comparisons(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     let lamp = |degrees: f32| {
         let angle = degrees.to_radians();
         let towards = Vec3::new(angle.sin(), 0.0, angle.cos());
@@ -90,14 +90,14 @@ fn comparisons(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     Ok(vec![
         row(
             SECTION,
-            "phong-blinn-studio",
+            "phong-blinn-square",
             [
                 "Phong against Blinn–Phong in the studio",
                 "Exponents n and 4n: alike where the light is near the viewer. 0.85 Lambert + 0.15 \
                  lobe.",
             ],
             pair()?,
-            Light::Around(studio),
+            Light::Around(square),
         ),
         row(
             SECTION,

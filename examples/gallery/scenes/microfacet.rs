@@ -19,10 +19,10 @@ const SHADOWING: &str = "Microfacets: shadowing";
 const HISTORY: &str = "Historical forms";
 
 pub(super) fn scenes<'a>(
-    studio: &'a Environment,
+    square: &'a Environment,
     furnace: &'a Environment,
 ) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
-    let (light, furnace) = (Light::Around(studio), Light::Around(furnace));
+    let (light, furnace) = (Light::Around(square), Light::Around(furnace));
     let mut scenes = distributions(light)?;
     scenes.extend(anisotropy(light)?);
     scenes.extend(shadowing(light, furnace)?);

@@ -31,15 +31,15 @@ type Made<'a> = Result<Scene<'a>, Box<dyn Error>>;
 /// All scenes, in the order of the page.
 /// `furnace` is light of the same radiance from everywhere.
 pub fn all<'a>(
-    studio: &'a Environment,
+    square: &'a Environment,
     furnace: &'a Environment,
 ) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
     let mut scenes = Vec::new();
-    scenes.extend(showpiece::scenes(studio)?);
-    scenes.extend(diffuse::scenes(studio)?);
-    scenes.extend(lobes::scenes(studio)?);
-    scenes.extend(microfacet::scenes(studio, furnace)?);
-    scenes.extend(fresnel::scenes(studio, furnace)?);
+    scenes.extend(showpiece::scenes(square)?);
+    scenes.extend(diffuse::scenes(square)?);
+    scenes.extend(lobes::scenes(square)?);
+    scenes.extend(microfacet::scenes(square, furnace)?);
+    scenes.extend(fresnel::scenes(square, furnace)?);
     Ok(scenes)
 }
 

@@ -19,8 +19,8 @@ fn plastic(color: Vec3, roughness: f32) -> Result<Material, Box<dyn Error>> {
     Ok(material(WeightedSum::new(terms)?))
 }
 
-pub(super) fn scenes(studio: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
-    let light = Light::Around(studio);
+pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
+    let light = Light::Around(square);
     let metal = |conductor, roughness: f32| -> Result<Material, Box<dyn Error>> {
         Ok(material(CookTorrance::new(Beckmann::new(roughness)?, conductor)))
     };
