@@ -6,7 +6,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, VPos};
 
 use super::figure::{Area, Curve, LETTERS};
-use super::style::{DOTS, Dash, GRID, GUIDE, INK, Pen, anchored, draw_line, letters, px, stroke};
+use super::style::{DOTS, GRID, GUIDE, INK, Pen, anchored, draw_line, letters, px, stroke};
 
 /// How values become lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -173,16 +173,16 @@ impl Frame<'_> {
         let mut pieces = vec![Vec::new()];
         let fractions: Vec<_> = points.iter().map(|&point| self.fraction(point)).collect();
         for (index, &here) in fractions.iter().enumerate() {
-            if let Some(&before) = index.checked_sub(1).and_then(|i| fractions.get(i)) {
-                if inside(before.1) != inside(here.1) {
-                    let outer = if inside(here.1) { before.1 } else { here.1 };
-                    let edge = outer.clamp(0.0, 1.0);
-                    let part = (edge - before.1) / (here.1 - before.1);
-                    let crossing = (before.0 + (here.0 - before.0) * part, edge);
-                    pieces.last_mut().into_iter().for_each(|p| p.push(self.place(crossing)));
-                    if !inside(here.1) {
-                        pieces.push(Vec::new());
-                    }
+            if let Some(&before) = index.checked_sub(1).and_then(|i| fractions.get(i))
+                && inside(before.1) != inside(here.1)
+            {
+                let outer = if inside(here.1) { before.1 } else { here.1 };
+                let edge = outer.clamp(0.0, 1.0);
+                let part = (edge - before.1) / (here.1 - before.1);
+                let crossing = (before.0 + (here.0 - before.0) * part, edge);
+                pieces.last_mut().into_iter().for_each(|p| p.push(self.place(crossing)));
+                if !inside(here.1) {
+                    pieces.push(Vec::new());
                 }
             }
             if inside(here.1) {
@@ -265,9 +265,4 @@ impl Frame<'_> {
         }
         Ok(())
     }
-}
-
-/// A pen without dashes.
-pub(super) const fn solid(color: RGBColor) -> Pen {
-    Pen { color, dash: Dash::Solid }
 }

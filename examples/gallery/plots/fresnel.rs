@@ -102,7 +102,7 @@ fn spectral(metal: &Metal) -> Result<Vec<Curve>, Box<dyn Error>> {
     {
         let (eta, k) = metal.index(wavelength)?;
         let surface = Conductor::new(eta, k)?;
-        let label = format!("{wavelength:.0} nm, n + ik = {eta:.3} + {k:.3}i");
+        let label = format!("{wavelength:.0} nm: {eta:.3} + {k:.3}i");
         curves.push(Curve::new(label, Pen { color, dash }, RIGHT_ANGLE, |x| {
             surface.reflectance(x.to_radians().cos())
         }));
@@ -166,7 +166,7 @@ pub(super) fn copper_polarized() -> Result<Figure, Box<dyn Error>> {
                   blue."
             .into(),
         height: 400.0,
-        columns: 3,
+        columns: 1,
         panels,
     })
 }

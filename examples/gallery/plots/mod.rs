@@ -1,9 +1,13 @@
 //! Plots of the formulas.
 
+mod approximations;
 mod cartesian;
+mod diffuse;
 mod figure;
 mod fresnel;
+mod lobes;
 mod metals;
+mod microfacet;
 mod polar;
 mod style;
 
@@ -17,7 +21,25 @@ use figure::Figure;
 type Draw = fn() -> Result<Figure, Box<dyn Error>>;
 
 /// In the order of the page.
-const FIGURES: [Draw; 3] = [fresnel::glass, fresnel::metals, fresnel::copper_polarized];
+const FIGURES: [Draw; 17] = [
+    fresnel::glass,
+    fresnel::metals,
+    fresnel::copper_polarized,
+    approximations::schlick_dielectric,
+    approximations::schlick_metal,
+    approximations::copper,
+    microfacet::distributions,
+    microfacet::roughness,
+    microfacet::mixture,
+    microfacet::shadowing,
+    lobes::diffuse,
+    lobes::phong,
+    lobes::microfacet,
+    lobes::off_specular,
+    approximations::powers,
+    diffuse::full_moon,
+    diffuse::albedo,
+];
 
 /// Writes all plots into `out`; calls `progress` with the name of each that is done.
 pub fn all(out: &Path, progress: &dyn Fn(&str)) -> Result<Vec<Picture>, Box<dyn Error>> {

@@ -93,7 +93,7 @@ pub(super) fn draw_line<DB: DrawingBackend>(
         Dash::Solid => area.draw(&PathElement::new(points, style)),
         Dash::Broken(dash, gap) => {
             let (dash, gap) = (length(dash), length(gap));
-            area.draw(&DashedPathElement::new(points.into_iter(), dash, gap, style))
+            area.draw(&DashedPathElement::new(points, dash, gap, style))
         }
     }
 }

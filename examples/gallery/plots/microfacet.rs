@@ -1,0 +1,155 @@
+//! Distributions of facet normals, and shadowing.
+
+use std::error::Error;
+
+use brdf::{
+    Beckmann, Blinn, Distribution, Gaussian, Ggx, Mixture, Pair, Shadowing, SmithCorrelated,
+    SmithSeparable, VCavity, from_spherical,
+};
+
+use super::cartesian::{Axis, Plot};
+use super::figure::{Curve, Figure, Panel};
+use super::style::PENS;
+
+const SECTION: &str = "Microfacets";
+const TILT: &str = "tilt of the facet α / °";
+const DENSITY: &str = "D / sr⁻¹";
+const RIGHT_ANGLE: (f64, f64) = (0.0, 90.0);
+
+/// D over the tilt in degrees.
+fn density<'a>(distribution: &'a dyn Distribution<f64>) -> impl Fn(f64) -> f64 + 'a {
+    |degrees: f64| distribution.density(from_spherical(degrees.to_radians(), 0.0))
+}
+
+fn curves(list: &[(String, Box<dyn Distribution<f64>>)], range: (f64, f64)) -> Vec<Curve> {
+    let with_pens = list.iter().zip(PENS);
+    with_pens.map(|((name, d), pen)| Curve::new(name.clone(), pen, range, density(&**d))).collect()
+}
+
+/// A linear and a logarithmic panel of the same distributions.
+fn two_scales(list: &[(String, Box<dyn Distribution<f64>>)], linear: Axis, top: f64) -> Vec<Panel> {
+    let near = Plot {
+        heading: "linear".into(),
+        x: Axis::new(TILT, 0.0, 60.0, 10.0),
+        y: linear,
+        curves: curves(list, (0.0, 60.0)),
+        marks: vec![],
+    };
+    let far = Plot {
+        heading: "logarithmic".into(),
+        x: Axis::degrees(TILT),
+        y: Axis::decades(DENSITY, -4.0, top, 1.0),
+        curves: curves(list, RIGHT_ANGLE),
+        marks: vec![],
+    };
+    vec![Panel::Plot(near), Panel::Plot(far)]
+}
+
+pub(super) fn distributions() -> Result<Figure, Box<dyn Error>> {
+    let m = 0.3;
+    let list: Vec<(String, Box<dyn Distribution<f64>>)> = vec![
+        (format!("Gaussian, m = {m}"), Box::new(Gaussian::new(m)?)),
+        (format!("Beckmann, m = {m}"), Box::new(Beckmann::new(m)?)),
+        (format!("GGX, α = {m}"), Box::new(Ggx::new(m)?)),
+        ("Blinn, n = 2/m² − 2".into(), Box::new(Blinn::from_roughness(m)?)),
+    ];
+    Ok(Figure {
+        name: "distributions",
+        section: SECTION,
+        title: "Four distributions of facet normals".into(),
+        caption: "All are normalised to ∫ D cosα dω = 1. Beckmann, Blinn and the Gaussian differ \
+            little around the peak; GGX falls sooner from a peak of the same height, and its tail is \
+            higher by orders of magnitude."
+            .into(),
+        height: 420.0,
+        columns: 1,
+        panels: two_scales(&list, Axis::new(DENSITY, 0.0, 4.0, 0.5), 1.0),
+    })
+}
+
+pub(super) fn roughness() -> Result<Figure, Box<dyn Error>> {
+    let mut list: Vec<(String, Box<dyn Distribution<f64>>)> = Vec::new();
+    for m in [0.1, 0.2, 0.4, 0.8] {
+        list.push((format!("m = {m}"), Box::new(Beckmann::new(m)?)));
+    }
+    Ok(Figure {
+        name: "roughness",
+        section: SECTION,
+        title: "Beckmann's distribution from smooth to rough".into(),
+        caption: "The peak is 1/(π m²) at the normal; above m = 1/√2 the maximum moves off the \
+            normal, to cos²α = 1/(2m²)."
+            .into(),
+        height: 420.0,
+        columns: 2,
+        panels: two_scales(&list, Axis::new(DENSITY, 0.0, 35.0, 5.0), 2.0),
+    })
+}
+
+pub(super) fn mixture() -> Result<Figure, Box<dyn Error>> {
+    let (fine, coarse) = (Beckmann::new(0.15)?, Beckmann::new(0.6)?);
+    let list: Vec<(String, Box<dyn Distribution<f64>>)> = vec![
+        ("0.5 D(0.15) + 0.5 D(0.6)".into(), Box::new(Mixture::new([(0.5, fine), (0.5, coarse)])?)),
+        ("D(0.15)".into(), Box::new(fine)),
+        ("D(0.6)".into(), Box::new(coarse)),
+    ];
+    Ok(Figure {
+        name: "mixture",
+        section: SECTION,
+        title: "A surface with two scales of roughness".into(),
+        caption: "A weighted sum of Beckmann's distributions: a narrow peak over broad flanks."
+            .into(),
+        height: 420.0,
+        columns: 1,
+        panels: two_scales(&list, Axis::new(DENSITY, 0.0, 15.0, 2.5), 2.0),
+    })
+}
+
+/// G in the plane of incidence, over the angle of the viewer on the mirror side.
+fn shadowing_curves<D>(distribution: &D, light: f64) -> Vec<Curve>
+where
+    VCavity: Shadowing<f64, D>,
+    SmithCorrelated: Shadowing<f64, D>,
+    SmithSeparable: Shadowing<f64, D>,
+{
+    let terms: [(&str, &dyn Shadowing<f64, D>); 3] = [
+        ("V-cavity", &VCavity),
+        ("Smith, correlated", &SmithCorrelated),
+        ("Smith, separable", &SmithSeparable),
+    ];
+    let with_pens = terms.into_iter().zip(PENS);
+    let curve = |((name, term), pen): ((&str, &dyn Shadowing<f64, D>), _)| {
+        Curve::new(name, pen, (0.0, 89.9), |degrees| {
+            let wi = from_spherical((-light).to_radians(), 0.0);
+            let pair = Pair::new(wi, from_spherical(degrees.to_radians(), 0.0));
+            4.0 * pair.cos_i * pair.cos_o * term.visibility(distribution, &pair)
+        })
+    };
+    with_pens.map(curve).collect()
+}
+
+pub(super) fn shadowing() -> Result<Figure, Box<dyn Error>> {
+    let panel = |heading: &str, curves| {
+        Panel::Plot(Plot {
+            heading: heading.into(),
+            x: Axis::degrees("angle of the viewer, mirror side / °"),
+            y: Axis::new("G", 0.0, 1.0, 0.2),
+            curves,
+            marks: vec![],
+        })
+    };
+    Ok(Figure {
+        name: "shadowing",
+        section: SECTION,
+        title: "Shadowing and masking, light at 45°".into(),
+        caption: "The fraction of facets that light and viewer both see, at roughness 0.5. The \
+            V-cavities do not ask for the distribution; their kinks are where one of the three \
+            terms of the minimum takes over."
+            .into(),
+        height: 420.0,
+        columns: 1,
+        panels: vec![
+            panel("Beckmann", shadowing_curves(&Beckmann::new(0.5)?, 45.0)),
+            panel("GGX", shadowing_curves(&Ggx::new(0.5)?, 45.0)),
+        ],
+    })
+}
