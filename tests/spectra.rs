@@ -96,7 +96,7 @@ fn a_spectrum_is_a_colour() {
     assert_eq!(<Spectrum<f64, 3> as Color<f64>>::splat(0.5).0, [0.5; 3]);
     assert_eq!(Color::<f64>::mean(a), 2.0);
     assert_eq!(Color::<f64>::fold(a, 0.0, |sum, value| 10.0 * sum + value), 123.0);
-    assert_eq!(Color::<f64>::lift(a, |value| Real::sqrt(value)).0[0], 1.0);
+    assert_eq!(Color::<f64>::lift(a, Real::sqrt).0[0], 1.0);
     assert_eq!(Color::<f64>::outside(a, 0.0, 2.5), Some(3.0));
     assert_eq!(<Spectrum<f64, 3> as Color<f64>>::choose(true, a, b), a);
 }

@@ -16,6 +16,28 @@
 //! so that Y is the luminous reflectance and 1 for the perfect reflector. Linear sRGB follows by
 //! the matrix of its primaries and its white D65.
 //!
+//! # One index per channel
+//! Renderers often skip the spectrum and give red, green and blue one index each, that of 650,
+//! 550 and 450 nm. The error of this shortcut for bare metals under D65, shortcut minus exact, in
+//! red, green and blue at angles of incidence from normal to grazing:
+//!
+//! | metal | 0° | 30° | 60° | 75° | 85° | 89° |
+//! |---|---|---|---|---|---|---|
+//! | Silver | +0.000 −0.001 +0.003 | +0.000 −0.001 +0.003 | +0.001 −0.001 +0.003 | +0.001 −0.001 +0.002 | +0.001 −0.001 +0.001 | +0.000 −0.000 +0.000 |
+//! | Aluminium | −0.002 −0.001 −0.000 | −0.002 −0.001 −0.000 | −0.002 −0.001 −0.000 | −0.003 −0.001 −0.001 | −0.004 −0.003 −0.003 | −0.002 −0.001 −0.001 |
+//! | Gold | −0.081 +0.063 +0.044 | −0.080 +0.063 +0.043 | −0.068 +0.054 +0.039 | −0.046 +0.038 +0.029 | −0.020 +0.016 +0.014 | −0.005 +0.004 +0.004 |
+//! | Copper | +0.003 +0.001 +0.016 | +0.004 +0.001 +0.016 | +0.006 +0.002 +0.015 | +0.002 +0.005 +0.013 | −0.005 +0.004 +0.008 | −0.002 +0.001 +0.002 |
+//! | Brass (70% Cu, 30% Zn) | −0.023 +0.010 +0.011 | −0.022 +0.010 +0.011 | −0.019 +0.009 +0.011 | −0.012 +0.004 +0.009 | −0.005 +0.000 +0.005 | −0.001 −0.000 +0.001 |
+//! | largest of 37 | 0.085 | 0.084 | 0.073 | 0.063 | 0.036 | 0.009 |
+//! | mean of 37 | 0.012 | 0.012 | 0.011 | 0.009 | 0.005 | 0.002 |
+//!
+//! The last rows are the largest error of any channel, over all metals and alloys of the crate.
+//! The error is that of the colour at normal incidence and fades towards grazing, where every
+//! metal is white: good for grey metals and copper, visible for gold, whose edge lies between two
+//! of the wavelengths. Other wavelengths do not help; of five choices tried these were the best on
+//! average. Wavelengths at the dominant ones of the sRGB primaries, 610, 550 and 465 nm, have
+//! twice the mean error.
+//!
 //! # Licence of the tables
 //! [`COLOR_MATCHING`] and the powers of the illuminants are the tables of CIE 015 and CIE 018 as
 //! shipped by colour-science 0.4.7, copyright 2013 Colour Developers, under the BSD 3-clause

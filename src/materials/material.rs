@@ -171,9 +171,9 @@ impl Material {
     /// use brdf::materials::SILICON;
     ///
     /// let red = SILICON.refractive_index(658.0_f64)?;
-    /// assert!((red.eta - 3.8280).abs() < 1e-4 && (red.k - 0.01489).abs() < 1e-5);
+    /// assert!((red.eta - 3.8393).abs() < 1e-4 && (red.k - 0.01555).abs() < 1e-5);
     /// let lines = SILICON.refractive_index(Spectrum([488.0_f32, 658.0]))?;
-    /// assert!((lines.eta.0[1] - 3.8280).abs() < 1e-4);
+    /// assert!((lines.eta.0[1] - 3.8393).abs() < 1e-4);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     ///

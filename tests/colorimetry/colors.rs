@@ -46,7 +46,7 @@ fn there_and_back_is_nothing() {
 
 #[test]
 fn white_stays_white_for_the_adapted_eye() {
-    let white = Spectrum([1.0; 81]);
+    let white = Spectrum([1.0_f64; 81]);
     for illuminant in ILLUMINANTS {
         let observer = Observer::new(illuminant, WAVELENGTHS).expect("ascending");
         assert!(observer.adapted_linear_srgb(white).abs_diff_eq(DVec3::ONE, 1e-12));

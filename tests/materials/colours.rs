@@ -51,7 +51,8 @@ fn colours_at_normal_incidence_are_those_of_the_table() {
 fn a_few_wavelengths_are_enough() {
     fn largest_difference<const N: usize>() -> f64 {
         let exact = Observer::new(Illuminant::D65, WAVELENGTHS).expect("ascending");
-        let at = std::array::from_fn(|index| 380.0 + 400.0 * index as f64 / (N as f64 - 1.0));
+        let at: [f64; N] =
+            std::array::from_fn(|index| 380.0 + 400.0 * index as f64 / (N as f64 - 1.0));
         let few = Observer::new(Illuminant::D65, at).expect("ascending");
         let mut largest = 0.0_f64;
         for key in ["Au", "Cu", "Ag", "Al", "Fe", "brass_Cu70Zn30"] {

@@ -137,7 +137,7 @@ fn word(number: &str) -> u32 {
     let exponent: i32 = exponent.parse().expect("an exponent");
     let mut mantissa: u32 = format!("{whole}{fraction}").parse().expect("digits");
     let mut places = i32::try_from(fraction.len()).expect("few digits") - exponent;
-    while places > 0 && mantissa % 10 == 0 {
+    while places > 0 && mantissa.is_multiple_of(10) {
         (mantissa, places) = (mantissa / 10, places - 1);
     }
     assert!((0..16).contains(&places) && mantissa < 1 << 28, "{number} does not fit");

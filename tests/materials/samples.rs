@@ -75,8 +75,8 @@ fn all_colours_see_the_same_index() {
         let spectrum = material.refractive_index(Spectrum(at)).expect("in range");
         let vector = Vector3 { x: 650.0, y: 550.0, z: 450.0 };
         let vector = material.refractive_index(vector).expect("in range");
-        for channel in 0..3 {
-            let (eta, k) = (one[channel].eta, one[channel].k);
+        for (channel, index) in one.into_iter().enumerate() {
+            let (eta, k) = (index.eta, index.k);
             assert_eq!((double.eta[channel], double.k[channel]), (eta, k));
             #[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
             let rounded = (eta as f32, k as f32);
