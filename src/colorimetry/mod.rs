@@ -33,10 +33,9 @@
 //!
 //! The last rows are the largest error of any channel, over all metals and alloys of the crate.
 //! The error is that of the colour at normal incidence and fades towards grazing, where every
-//! metal is white: good for grey metals and copper, visible for gold, whose edge lies between two
-//! of the wavelengths. Other wavelengths do not help; of five choices tried these were the best on
-//! average. Wavelengths at the dominant ones of the sRGB primaries, 610, 550 and 465 nm, have
-//! twice the mean error.
+//! metal is white: small for grey metals, visible for gold, whose edge lies between two of the
+//! wavelengths. Closer to the primaries of sRGB it is not smaller: with their dominant wavelengths,
+//! 611, 549 and 464 nm, the mean is 0.022 at normal incidence.
 //!
 //! # Licence of the tables
 //! [`COLOR_MATCHING`] and the powers of the illuminants are the tables of CIE 015 and CIE 018 as

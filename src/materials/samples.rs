@@ -50,8 +50,11 @@ impl Samples {
 
     /// The index at a wavelength in the range, on the line between its neighbours.
     pub(super) fn interpolate(self, at: f64) -> RefractiveIndex<f64> {
-        let after = self.0.partition_point(|bytes| wavelength(bytes) <= at);
+        // An end of the range rounded to single precision may lie just outside.
+        let (first, last) = self.range();
+        let at = at.max(first).min(last);
         // The last sample has no successor: it is the upper end of the last interval.
+        let after = self.0.partition_point(|bytes| wavelength(bytes) <= at);
         let upper = after.min(self.0.len() - 1);
         let (below, above) = (sample(&self.0[upper - 1]), sample(&self.0[upper]));
         let part = (at - below.wavelength) / (above.wavelength - below.wavelength);

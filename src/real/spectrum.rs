@@ -1,6 +1,5 @@
 //! A colour of any fixed number of wavelengths.
 
-use core::array::from_fn;
 use core::ops::{Add, Mul, Sub};
 
 use super::traits::{Color, Real};
@@ -56,11 +55,19 @@ impl<T: Real, const N: usize> Color<T> for Spectrum<T, N> {
     }
     #[inline(always)]
     fn map(self, formula: impl Fn(T) -> T) -> Self {
-        self.lift(formula)
+        let mut out = self.0;
+        for value in &mut out {
+            *value = formula(*value);
+        }
+        Self(out)
     }
     #[inline(always)]
     fn zip(self, other: Self, formula: impl Fn(T, T) -> T) -> Self {
-        Self(from_fn(|channel| formula(self.0[channel], other.0[channel])))
+        let mut out = self.0;
+        for (value, other) in out.iter_mut().zip(other.0) {
+            *value = formula(*value, other);
+        }
+        Self(out)
     }
     #[inline(always)]
     fn lift<U: Real>(self, lift: impl Fn(T) -> U) -> Spectrum<U, N> {

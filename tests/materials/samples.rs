@@ -64,6 +64,21 @@ fn nothing_is_extrapolated() {
     }
 }
 
+/// The numbers nearest to the ends belong to the range, in single precision too.
+#[test]
+#[allow(clippy::cast_possible_truncation, reason = "rounding is the purpose")]
+fn the_ends_belong_to_the_range() {
+    for material in ALL {
+        let (first, last) = (material.samples().next(), material.samples().next_back());
+        for end in [first, last].into_iter().flatten() {
+            let single = material.refractive_index(end.wavelength as f32).expect("in range");
+            let (eta, k) = (f64::from(single.eta), f64::from(single.k));
+            assert!((eta - end.index.eta).abs() < 1e-6 * end.index.eta, "{material}: {eta}");
+            assert!((k - end.index.k).abs() <= 1e-5 * end.index.k, "{material}: {k}");
+        }
+    }
+}
+
 /// The same index in every number and every kind of colour.
 #[test]
 fn all_colours_see_the_same_index() {
