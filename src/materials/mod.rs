@@ -4,7 +4,7 @@
 //! the near infrared, each with its source. They come from the refractiveindex.info database
 //! (commit ff11b5897ef0 of 2026-06-14), which is in the public domain (CC0 1.0); the sources in
 //! [`Material::citation`] deserve to be cited. Each set is a static of its own: a program carries
-//! only the sets that it names, all of them (110 kB) if it uses [`find`] or [`ALL`], and nothing
+//! only the sets that it names, all of them (118 kB) if it uses [`find`] or [`ALL`], and nothing
 //! if it uses none.
 //!
 //! ```

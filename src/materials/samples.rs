@@ -2,33 +2,34 @@
 
 use super::material::{RefractiveIndex, Sample};
 
-/// Samples in the order of their wavelengths, twelve bytes each: wavelength, n and k.
+/// Samples in the order of their wavelengths, ten bytes each: wavelength in three, n in four, k in
+/// three.
 ///
-/// A number is a little-endian word: a decimal mantissa in the lower 28 bits, in the upper 4 the
-/// number of decimal places. Mantissa and power of ten are exact in `f64`, so that their quotient
-/// is the `f64` nearest to the decimal number of the source.
+/// A number is a little-endian word: its upper 4 bits are the number of decimal places, the others
+/// are the decimal digits as an integer. Both that integer and the power of ten are exact in `f64`,
+/// so that their quotient is the `f64` nearest to the decimal number of the source.
 #[derive(Clone, Copy)]
-pub(super) struct Samples(&'static [[u8; 12]]);
-
-const MANTISSA_BITS: u32 = 28;
+pub(super) struct Samples(&'static [[u8; 10]]);
 
 const POWERS_OF_TEN: [f64; 16] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
-fn decimal(bytes: [u8; 4]) -> f64 {
-    let word = u32::from_le_bytes(bytes);
-    let mantissa = word & ((1 << MANTISSA_BITS) - 1);
-    f64::from(mantissa) / POWERS_OF_TEN[(word >> MANTISSA_BITS) as usize]
+fn long([a, b, c, d]: [u8; 4]) -> f64 {
+    f64::from(u32::from_le_bytes([a, b, c, d & 15])) / POWERS_OF_TEN[usize::from(d >> 4)]
 }
 
-fn wavelength(&[a, b, c, d, ..]: &[u8; 12]) -> f64 {
-    decimal([a, b, c, d])
+fn short([a, b, c]: [u8; 3]) -> f64 {
+    f64::from(u32::from_le_bytes([a, b, c & 15, 0])) / POWERS_OF_TEN[usize::from(c >> 4)]
 }
 
-fn sample(bytes: &[u8; 12]) -> Sample {
-    let &[.., e0, e1, e2, e3, k0, k1, k2, k3] = bytes;
-    let (eta, k) = (decimal([e0, e1, e2, e3]), decimal([k0, k1, k2, k3]));
-    Sample { wavelength: wavelength(bytes), index: RefractiveIndex { eta, k } }
+fn wavelength(&[a, b, c, ..]: &[u8; 10]) -> f64 {
+    short([a, b, c])
+}
+
+fn sample(bytes: &[u8; 10]) -> Sample {
+    let &[_, _, _, e0, e1, e2, e3, k0, k1, k2] = bytes;
+    let index = RefractiveIndex { eta: long([e0, e1, e2, e3]), k: short([k0, k1, k2]) };
+    Sample { wavelength: wavelength(bytes), index }
 }
 
 impl Samples {

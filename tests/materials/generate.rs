@@ -123,23 +123,24 @@ pub static ALL: [&Material; {}] = [
 fn samples(set: &Row) -> Vec<u8> {
     let mut bytes = Vec::new();
     for row in rows(&format!("data/ior/{}", set["file"])) {
-        for column in ["wavelength_nm", "n", "k"] {
-            bytes.extend(word(&row[column]).to_le_bytes());
-        }
+        bytes.extend(&word(&row["wavelength_nm"], 24).to_le_bytes()[..3]);
+        bytes.extend(word(&row["n"], 32).to_le_bytes());
+        bytes.extend(&word(&row["k"], 24).to_le_bytes()[..3]);
     }
     bytes
 }
 
-/// A decimal number as 28 bits of mantissa below 4 bits of decimal places.
-fn word(number: &str) -> u32 {
-    let (number, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
-    let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
+/// A decimal number as its digits below 4 bits of decimal places.
+fn word(number: &str, bits: u32) -> u32 {
+    let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
     let exponent: i32 = exponent.parse().expect("an exponent");
-    let mut mantissa: u32 = format!("{whole}{fraction}").parse().expect("digits");
+    let mut integer: u32 = format!("{whole}{fraction}").parse().expect("digits");
     let mut places = i32::try_from(fraction.len()).expect("few digits") - exponent;
-    while places > 0 && mantissa.is_multiple_of(10) {
-        (mantissa, places) = (mantissa / 10, places - 1);
+    while places > 0 && integer.is_multiple_of(10) {
+        (integer, places) = (integer / 10, places - 1);
     }
-    assert!((0..16).contains(&places) && mantissa < 1 << 28, "{number} does not fit");
-    mantissa | u32::try_from(places).expect("not negative") << 28
+    let fits = (0..16).contains(&places) && integer < 1 << (bits - 4);
+    assert!(fits, "{number} does not fit into {bits} bits");
+    integer | u32::try_from(places).expect("not negative") << (bits - 4)
 }

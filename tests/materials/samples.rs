@@ -105,7 +105,7 @@ fn all_colours_see_the_same_index() {
 /// The data of all materials, every citation counted although equal ones are stored once.
 #[test]
 fn the_embedded_data_is_small() {
-    let samples: usize = ALL.iter().map(|material| 12 * material.samples().len()).sum();
+    let samples: usize = ALL.iter().map(|material| 10 * material.samples().len()).sum();
     let text: usize = ALL
         .iter()
         .map(|one| {
@@ -119,6 +119,6 @@ fn the_embedded_data_is_small() {
         .sum();
     let records = ALL.len() * (size_of::<Material>() + size_of::<&Material>());
     println!("samples {samples}, text {text}, records {records}");
-    assert_eq!(samples, 87_684);
-    assert!(samples + text + records < 130_000, "{}", samples + text + records);
+    assert_eq!(samples, 73_070);
+    assert!(samples + text + records < 110_000, "{}", samples + text + records);
 }
