@@ -6,12 +6,15 @@ use brdf::{Fresnel, Illuminant, Observer, ParameterError, Spectrum};
 use glam::DVec3;
 use plotters::style::RGBColor;
 
-pub const RED: RGBColor = RGBColor(0xc4, 0x2b, 0x1f);
-pub const GREEN: RGBColor = RGBColor(0x2a, 0x85, 0x3a);
-pub const BLUE: RGBColor = RGBColor(0x1f, 0x5f, 0xb4);
-pub const ORANGE: RGBColor = RGBColor(0xd0, 0x72, 0x0a);
-pub const PURPLE: RGBColor = RGBColor(0x7b, 0x3f, 0xa0);
-pub const GREY: RGBColor = RGBColor(0x60, 0x60, 0x60);
+/// Okabe and Ito's palette, which stays distinct for colour-blind readers.
+pub const RED: RGBColor = RGBColor(213, 94, 0);
+pub const GREEN: RGBColor = RGBColor(0, 158, 115);
+pub const BLUE: RGBColor = RGBColor(0, 114, 178);
+pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
+pub const PURPLE: RGBColor = RGBColor(204, 121, 167);
+pub const INK: RGBColor = RGBColor(20, 20, 20);
+pub const GREY: RGBColor = RGBColor(110, 110, 110);
+pub const GRID: RGBColor = RGBColor(221, 221, 221);
 
 /// Linear sRGB as a screen shows it; what it cannot show is clamped.
 fn encode(linear: DVec3) -> RGBColor {
@@ -26,10 +29,13 @@ fn encode(linear: DVec3) -> RGBColor {
     RGBColor(byte(shown.x), byte(shown.y), byte(shown.z))
 }
 
-/// The visible spectrum: a colour from each wavelength to the next.
+/// The visible spectrum: a saturated colour around each wavelength, pale where the eye is blind.
 pub fn rainbow() -> impl Iterator<Item = (f64, RGBColor)> {
     WAVELENGTHS.into_iter().zip(COLOR_MATCHING).map(|(wavelength, matching)| {
-        (wavelength, encode(xyz_to_linear_srgb(0.6 * DVec3::from(matching))))
+        let hue: DVec3 = clamp_to_srgb(xyz_to_linear_srgb(DVec3::from(matching)));
+        let brightest = hue.max_element().max(1e-9);
+        let strength = (brightest / 0.15).min(1.0);
+        (wavelength, encode(DVec3::ONE.lerp(hue / brightest, strength)))
     })
 }
 

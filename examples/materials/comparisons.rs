@@ -2,11 +2,11 @@
 
 use std::error::Error;
 
-use brdf::materials::find;
+use brdf::materials::{Material, find};
+use brdf::{Fresnel, ParameterError};
 use plotters::style::RGBColor;
 
 use super::colors::{BLUE, GREEN, GREY, ORANGE, PURPLE, RED};
-use super::curves::{index, reflectance};
 use super::figure::{Curve, Figure, Panel};
 
 /// Keys and colours of the classic mirror metals and two grey ones.
@@ -29,13 +29,30 @@ const OPINIONS: [(&str, &str, RGBColor); 4] = [
     ("Au", "Au_mcpeak", ORANGE),
 ];
 
-/// The part of a curve between 300 and 1000 nm.
-fn shown(points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
-    points.into_iter().filter(|(x, _)| (300.0..=1000.0).contains(x)).collect()
+/// A curve between 300 and 1000 nm, as far as the material was measured.
+fn shown(
+    material: &Material,
+    value: impl Fn(f64) -> Result<f64, ParameterError>,
+) -> Result<Vec<(f64, f64)>, ParameterError> {
+    let inside = |wavelength: &f64| material.range().contains(wavelength);
+    let wavelengths = (300..=1000).map(f64::from).filter(inside);
+    wavelengths.map(|wavelength| Ok((wavelength, value(wavelength)?))).collect()
+}
+
+fn reflectance(material: &Material) -> Result<Vec<(f64, f64)>, ParameterError> {
+    shown(material, |wavelength| Ok(material.conductor(wavelength)?.reflectance(1.0)))
 }
 
 fn panel(y_name: &'static str, y: std::ops::Range<f64>, curves: Vec<Curve>) -> Panel {
-    Panel { x_name: "wavelength in nm", y_name, x: 300.0..1000.0, y, wavelengths: true, curves }
+    Panel {
+        x_name: "wavelength in nm",
+        y_name,
+        x: 300.0..1000.0,
+        y,
+        wavelengths: true,
+        list: false,
+        curves,
+    }
 }
 
 pub fn all() -> Result<Vec<Figure>, Box<dyn Error>> {
@@ -46,10 +63,11 @@ fn metals() -> Result<Figure, Box<dyn Error>> {
     let (mut curves, mut n_curves, mut k_curves) = (Vec::new(), Vec::new(), Vec::new());
     for (key, color) in METALS {
         let metal = find(key)?;
-        curves.push(Curve::new(metal.name(), color, shown(reflectance(metal)?)));
-        let [n, k] = index(metal);
-        n_curves.push(Curve::new(metal.name(), color, shown(n)));
-        k_curves.push(Curve::new(metal.name(), color, shown(k)));
+        curves.push(Curve::new(metal.name(), color, reflectance(metal)?));
+        let n = shown(metal, |at| Ok(metal.refractive_index(at)?.eta))?;
+        let k = shown(metal, |at| Ok(metal.refractive_index(at)?.k))?;
+        n_curves.push(Curve::new(metal.name(), color, n));
+        k_curves.push(Curve::new(metal.name(), color, k));
     }
     Ok(Figure {
         name: "metals".to_owned(),
@@ -70,7 +88,11 @@ fn glasses() -> Result<Figure, Box<dyn Error>> {
         let glass = find(key)?;
         let name = glass.name().split([' ', ',']).next().unwrap_or_default();
         let name = if key == "fused_silica" { "Fused silica" } else { name };
-        curves.push(Curve::new(name, color, shown(index(glass)[0].clone())));
+        curves.push(Curve::new(
+            name,
+            color,
+            shown(glass, |at| Ok(glass.refractive_index(at)?.eta))?,
+        ));
     }
     Ok(Figure {
         name: "dispersion".to_owned(),
@@ -87,8 +109,8 @@ fn opinions() -> Result<Figure, Box<dyn Error>> {
     let mut curves = Vec::new();
     for (first, second, color) in OPINIONS {
         let (first, second) = (find(first)?, find(second)?);
-        curves.push(Curve::new(first.name(), color, shown(reflectance(first)?)));
-        curves.push(Curve::new("", color, shown(reflectance(second)?)).dashed());
+        curves.push(Curve::new(first.name(), color, reflectance(first)?));
+        curves.push(Curve::new("", color, reflectance(second)?).dashed());
     }
     Ok(Figure {
         name: "second_opinions".to_owned(),

@@ -3,14 +3,14 @@
 use brdf::materials::{Form, Material, Sample};
 use brdf::{Fresnel, ParameterError};
 
-use super::colors::{BLUE, GREY, RED, surface};
+use super::colors::{BLUE, INK, RED, surface};
 use super::figure::{Curve, Figure, Panel};
 
 /// An absorption that can be seen beside n.
 const VISIBLE_ABSORPTION: f64 = 0.005;
 
 /// Reflectance at normal incidence at the samples of a material.
-pub fn reflectance(material: &Material) -> Result<Vec<(f64, f64)>, ParameterError> {
+fn reflectance(material: &Material) -> Result<Vec<(f64, f64)>, ParameterError> {
     let at = |Sample { wavelength, .. }| {
         Ok((wavelength, material.conductor(wavelength)?.reflectance(1.0)))
     };
@@ -18,14 +18,14 @@ pub fn reflectance(material: &Material) -> Result<Vec<(f64, f64)>, ParameterErro
 }
 
 /// Both curves of an index over the wavelength.
-pub fn index(material: &Material) -> [Vec<(f64, f64)>; 2] {
+fn index(material: &Material) -> [Vec<(f64, f64)>; 2] {
     let n = material.samples().map(|sample| (sample.wavelength, sample.index.eta)).collect();
     let k = material.samples().map(|sample| (sample.wavelength, sample.index.k)).collect();
     [n, k]
 }
 
 /// The smallest and the largest value of a curve.
-pub fn extent(points: &[(f64, f64)]) -> (f64, f64) {
+fn extent(points: &[(f64, f64)]) -> (f64, f64) {
     let values = points.iter().map(|point| point.1);
     values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)))
 }
@@ -50,7 +50,7 @@ pub fn figure(material: &Material) -> Result<Figure, ParameterError> {
     let absorption = match k_high {
         0.0 => ". The source gives no k".to_owned(),
         _ if absorbs => String::new(),
-        k => format!(". k below {:.0e}", 1.05 * k),
+        k => format!(". Here k is at most {k:.0e}"),
     };
     let (lower, upper) = material.range().into_inner();
     let x = lower..upper;
@@ -58,7 +58,7 @@ pub fn figure(material: &Material) -> Result<Figure, ParameterError> {
     Ok(Figure {
         name: material.key().to_owned(),
         title: material.name().to_owned(),
-        subtitle: format!("{}{absorption}", material.citation()),
+        subtitle: format!("{}{absorption}", material.citation().trim_end_matches('.')),
         swatch: surface(material)?,
         panels: vec![
             Panel {
@@ -67,6 +67,7 @@ pub fn figure(material: &Material) -> Result<Figure, ParameterError> {
                 x: x.clone(),
                 y,
                 wavelengths: true,
+                list: false,
                 curves,
             },
             Panel {
@@ -75,7 +76,8 @@ pub fn figure(material: &Material) -> Result<Figure, ParameterError> {
                 x,
                 y: 0.0..r_end,
                 wavelengths: true,
-                curves: vec![mark(Curve::new("R", GREY, reflectance))],
+                list: false,
+                curves: vec![mark(Curve::new("R", INK, reflectance))],
             },
         ],
     })

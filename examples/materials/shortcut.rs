@@ -40,10 +40,11 @@ fn curve(
 
 pub fn figure() -> Result<Figure, Box<dyn Error>> {
     let gold = rows(&GOLD)?;
+    let lines = ["650 nm", "550 nm", "450 nm"];
     let (mut colors, mut errors) = (Vec::new(), Vec::new());
     for (channel, (name, color)) in CHANNELS.into_iter().enumerate() {
-        colors.push(curve("", color, &gold, |row| row.1[channel]));
-        colors.push(curve("", color, &gold, |row| row.2[channel]).dashed());
+        colors.push(curve(name, color, &gold, |row| row.1[channel]));
+        colors.push(curve(lines[channel], color, &gold, |row| row.2[channel]).dashed());
         errors.push(curve(name, color, &gold, |row| row.2[channel] - row.1[channel]));
     }
     let mut metals = Vec::new();
@@ -63,6 +64,7 @@ pub fn figure() -> Result<Figure, Box<dyn Error>> {
         x: 0.0..90.0,
         y,
         wavelengths: false,
+        list: true,
         curves,
     };
     Ok(Figure {
