@@ -190,7 +190,8 @@ impl Panel {
                 let inside = wavelength.clamp(self.x.start, self.x.end);
                 px(start + (inside - self.x.start) * nanometre)
             };
-            let corners = [(x(wavelength - 2.5), px(3.0)), (x(wavelength + 2.5), px(9.0))];
+            // Into the next colour, which covers it, so that no seam shows.
+            let corners = [(x(wavelength - 2.5), px(3.0)), (x(wavelength + 4.0), px(9.0))];
             area.draw(&Rectangle::new(corners, color.filled()))?;
         }
         Ok(())

@@ -62,7 +62,7 @@ pub struct RefractiveIndex<C = f64> {
 /// The index at one wavelength.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Wavelength in vacuum, in nanometres.
+    /// Wavelength in nanometres.
     pub wavelength: f64,
     /// Index there.
     pub index: RefractiveIndex,

@@ -1,7 +1,7 @@
 //! Measured refractive indices of metals, alloys, semiconductors and transparent media.
 //!
-//! 74 sets of the complex index n + ik against the wavelength in vacuum, from the ultraviolet to
-//! the near infrared, each with its source. They come from the refractiveindex.info database
+//! 74 sets of the complex index n + ik against the wavelength, from the ultraviolet to the near
+//! infrared, each with its source. They come from the refractiveindex.info database
 //! (commit ff11b5897ef0 of 2026-06-14), which is in the public domain (CC0 1.0); the sources in
 //! [`Material::citation`] deserve to be cited. Each set is a static of its own: a program carries
 //! only the sets that it names, all of them (118 kB) if it uses [`find`] or [`ALL`], and nothing
@@ -34,11 +34,17 @@
 //! ```
 //!
 //! # Second opinions
-//! Measurements of one metal differ, often by more than the differences between its alloys: by
-//! how it was made, polished and oxidised. Where the collection holds two sets, the plain name
-//! and the symbol mean the one that is used most, its documentation says whose it is, and the
-//! other has a name of its own: [`GOLD`] is Johnson and Christy 1972, [`GOLD_MCPEAK_2015`]
-//! evaporated films that are brighter in the red and green. [`Material::alternatives`] lists them.
+//! Measurements of one metal differ by how it was made, polished and oxidised. Where the
+//! collection holds two sets, the symbol and the plain name mean one of them, and its
+//! documentation says whose it is; the other has a name of its own. [`GOLD`] is Johnson and
+//! Christy 1972, [`GOLD_MCPEAK_2015`] an evaporated film that reflects more red and green.
+//! [`Material::alternatives`] lists them.
+//!
+//! # Limits
+//! Some sets count n and the wavelength from vacuum, others, as those of Schott's glasses and of
+//! most crystals, from air. The difference, 2.8·10⁻⁴ of the value, is below that between two
+//! measurements. A set with [`Kind::Caution`] is not to be used for colour. Crystals have one
+//! set for the ordinary and one for the extraordinary ray.
 
 mod lookup;
 mod material;
