@@ -9,12 +9,15 @@ extern crate alloc;
 compile_error!("brdf needs the feature `std` or the feature `libm`");
 
 mod brdf;
+pub mod colorimetry;
 pub mod diffuse;
 mod direction;
 mod error;
 mod frame;
 pub mod fresnel;
 pub mod glossy;
+#[cfg(feature = "materials")]
+pub mod materials;
 pub mod microfacet;
 pub mod quadrature;
 mod real;
@@ -22,6 +25,7 @@ mod sampling;
 mod sum;
 
 pub use brdf::{Brdf, Sample};
+pub use colorimetry::{Illuminant, Observer};
 pub use diffuse::{Lambert, OrenNayar};
 pub use direction::{
     Pair, Refraction, above_surface, brewster_angle, critical_angle, from_spherical, reflect,
@@ -36,5 +40,5 @@ pub use microfacet::{
     Distribution, Gaussian, Ggx, Mixture, Shadowing, Smith, SmithCorrelated, SmithSeparable,
     VCavity,
 };
-pub use real::{Color, Lanes, Mask, Real, Vector, Vector3};
+pub use real::{Color, Lanes, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

@@ -3,9 +3,11 @@
 mod float;
 mod lanes;
 mod math;
+mod spectrum;
 mod traits;
 mod vector3;
 
 pub use lanes::Lanes;
+pub use spectrum::Spectrum;
 pub use traits::{Color, Mask, Real, Vector};
 pub use vector3::Vector3;

@@ -1,0 +1,57 @@
+//! Measured refractive indices of metals, alloys, semiconductors and transparent media.
+//!
+//! 74 sets of the complex index n + ik against the wavelength, from the ultraviolet to the near
+//! infrared, each with its source. They come from the refractiveindex.info database
+//! (commit ff11b5897ef0 of 2026-06-14), which is in the public domain (CC0 1.0); the sources in
+//! [`Material::citation`] deserve to be cited. Each set is a static of its own: a program carries
+//! only the sets that it names, all of them (118 kB) if it uses [`find`] or [`ALL`], and nothing
+//! if it uses none.
+//!
+//! ```
+//! use brdf::materials::{self, GOLD};
+//! use brdf::{Beckmann, Brdf, Conductor, CookTorrance, Fresnel, Spectrum};
+//! use glam::{DVec3, Vec3};
+//!
+//! // Red, green and blue as three wavelengths in nanometres.
+//! let gold: Conductor<Vec3> = GOLD.conductor(Vec3::new(650.0, 550.0, 450.0))?;
+//! assert!(gold.reflectance(1.0_f32).abs_diff_eq(Vec3::new(0.956522, 0.791553, 0.408194), 1e-6));
+//!
+//! // The index by itself, at one wavelength.
+//! let silver = materials::find("silver")?;
+//! let index = silver.refractive_index(550.0_f64)?;
+//! assert!((index.eta - 0.0596).abs() < 1e-4 && (index.k - 3.5974).abs() < 1e-4);
+//!
+//! // A rough surface at eight wavelengths at once.
+//! let wavelengths = Spectrum([400.0, 450.0, 500.0, 550.0, 600.0, 650.0, 700.0, 750.0]);
+//! let copper = materials::find("Cu")?.conductor(wavelengths)?;
+//! let f = CookTorrance::new(Beckmann::new(0.3)?, copper).eval(DVec3::Z, DVec3::Z);
+//! assert!(f.0[7] > 1.5 * f.0[0]);
+//!
+//! // Beyond its measured range a material has no index.
+//! let error = GOLD.refractive_index(250.0_f64).unwrap_err();
+//! assert_eq!(error.to_string(), "wavelength must be between 292.4 and 1088, not 250");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Second opinions
+//! Measurements of one metal differ by how it was made, polished and oxidised. Where the
+//! collection holds two sets, the symbol and the plain name mean one of them, and its
+//! documentation says whose it is; the other has a name of its own. [`GOLD`] is Johnson and
+//! Christy 1972, [`GOLD_MCPEAK_2015`] an evaporated film that reflects more red and green.
+//! [`Material::alternatives`] lists them.
+//!
+//! # Limits
+//! Some sets count n and the wavelength from vacuum, others, as those of Schott's glasses and of
+//! most crystals, from air. The difference, 2.8·10⁻⁴ of the value, is below that between two
+//! measurements. A set with [`Kind::Caution`] is not to be used for colour. Crystals have one
+//! set for the ordinary and one for the extraordinary ray.
+
+mod lookup;
+mod material;
+mod samples;
+#[rustfmt::skip]
+mod sets;
+
+pub use lookup::{LookupError, find};
+pub use material::{Form, Kind, Material, RefractiveIndex, Sample};
+pub use sets::*;

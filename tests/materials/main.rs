@@ -1,0 +1,11 @@
+//! The measured materials: what is embedded, what is read from it, and measured reality.
+
+mod colours;
+mod ellipsometry;
+mod fresnel_reference;
+mod generate;
+mod lookup;
+mod samples;
+mod shortcut;
+#[path = "../common/tables.rs"]
+mod tables;
