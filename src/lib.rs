@@ -10,6 +10,8 @@ compile_error!("brdf needs the feature `std` or the feature `libm`");
 
 mod brdf;
 pub mod colorimetry;
+#[cfg(feature = "serde")]
+pub mod description;
 pub mod diffuse;
 mod direction;
 mod error;

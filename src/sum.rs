@@ -81,6 +81,17 @@ impl<M, C, T> WeightedSum<M, C, T> {
         }
         Ok(Self { terms: checked })
     }
+
+    /// The same sum of other models, each made of the one in its place.
+    #[cfg(feature = "serde")]
+    pub(crate) fn map<N>(self, mut change: impl FnMut(M) -> N) -> WeightedSum<N, C, T> {
+        let terms = self.terms.into_iter().map(|Term { weight, probability, model }| Term {
+            weight,
+            probability,
+            model: change(model),
+        });
+        WeightedSum { terms: terms.collect() }
+    }
 }
 
 impl<M, C, T> Brdf<T> for WeightedSum<M, C, T>

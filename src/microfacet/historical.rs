@@ -181,6 +181,16 @@ where
         Self { model: CookTorrance::new(distribution, fresnel), scale }
     }
 
+    /// The same normals with another reflectance.
+    #[cfg(feature = "serde")]
+    pub(crate) fn with_fresnel<G>(self, fresnel: G) -> Blinn1977Printed<D, G, T>
+    where
+        D: Copy,
+    {
+        let model = CookTorrance::new(*self.model.distribution(), fresnel);
+        Blinn1977Printed { model, scale: self.scale }
+    }
+
     /// The printed s = D G F/(N·E): reflected intensity for light of intensity 1 from `wi`. It is
     /// the BRDF times N·L.
     #[inline]

@@ -78,29 +78,68 @@ impl<T: Real, D, const N: usize> Mixture<T, D, N> {
         }
         sum
     }
+}
 
-    /// Chooses a distribution with the given probabilities by `u[0]`, and hands it the place of
-    /// `u[0]` within its part as a fresh uniform number. Every distribution draws, one is taken.
+/// A draw from one of several distributions, offered one after the other with probabilities that
+/// add up to 1.
+///
+/// The first uniform number chooses, and its place within the part of the chosen distribution
+/// serves as a fresh uniform number. Every distribution draws, one is taken.
+pub(crate) struct Choice<T: Real> {
+    u: [T; 2],
+    /// The sum of the probabilities so far.
+    start: T,
+    chosen: T::Vec3,
+}
+
+impl<T: Real> Choice<T> {
     #[inline(always)]
-    fn choose(
-        &self,
-        probabilities: [T; N],
-        u: [T; 2],
-        draw: impl Fn(&D, [T; 2]) -> T::Vec3,
-    ) -> T::Vec3 {
+    pub(crate) fn new(u: [T; 2]) -> Self {
+        let zero = T::lit(0.0);
+        Self { u, start: zero, chosen: Vector::new(zero, zero, T::lit(1.0)) }
+    }
+
+    #[inline(always)]
+    pub(crate) fn offer(&mut self, probability: T, draw: impl FnOnce([T; 2]) -> T::Vec3) {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
-        let mut start = zero;
-        let mut chosen: T::Vec3 = Vector::new(zero, zero, one);
-        for (probability, distribution) in probabilities.into_iter().zip(&self.distributions) {
-            let place = (u[0] - start) / probability.max(T::lit(1e-37));
-            let drawn = draw(distribution, [place.clamp(zero, one), u[1]]);
-            // A later distribution replaces an earlier one, so that rounding of the sum of
-            // probabilities leaves no gap at the end.
-            let reached = u[0].ge(start).and(probability.gt(zero));
-            chosen = Vector::select(reached, drawn, chosen);
-            start = start + probability;
-        }
-        chosen
+        let place = (self.u[0] - self.start) / probability.max(T::lit(1e-37));
+        let drawn = draw([place.clamp(zero, one), self.u[1]]);
+        // A later distribution replaces an earlier one, so that rounding of the sum of
+        // probabilities leaves no gap at the end.
+        let reached = self.u[0].ge(self.start).and(probability.gt(zero));
+        self.chosen = Vector::select(reached, drawn, self.chosen);
+        self.start = self.start + probability;
+    }
+
+    #[inline(always)]
+    pub(crate) fn chosen(self) -> T::Vec3 {
+        self.chosen
+    }
+}
+
+/// What the distributions of a mixture have in common where visible normals are drawn.
+///
+/// 1/G₁ = Σ wᵢ/G₁ᵢ, hence G₁ (wo·h) D/cos = Σ (wᵢ G₁/G₁ᵢ) times the same of component i.
+pub(crate) struct Visible<T: Real> {
+    wo: T::Vec3,
+    cos: T,
+    /// cos/G₁ of the mixture.
+    all: T,
+}
+
+impl<T: Real> Visible<T> {
+    /// For a mixture with the given [`Smith::lambda_cos`].
+    #[inline(always)]
+    pub(crate) fn new(wo: T::Vec3, lambda_cos: T) -> Self {
+        let cos = wo.z().max(T::lit(0.0));
+        Self { wo, cos, all: (cos + lambda_cos).max(T::lit(1e-37)) }
+    }
+
+    /// Offers a distribution of the mixture to a choice.
+    #[inline(always)]
+    pub(crate) fn offer<D: Smith<T>>(&self, choice: &mut Choice<T>, weight: T, distribution: &D) {
+        let visible = self.cos + distribution.lambda_cos(self.wo);
+        choice.offer(weight * (visible / self.all), |u| distribution.sample_visible(self.wo, u));
     }
 }
 
@@ -112,7 +151,11 @@ impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T,
 
     #[inline]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
-        self.choose(self.weights, u, |distribution, u| distribution.sample(u))
+        let mut choice = Choice::new(u);
+        for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
+            choice.offer(weight, |u| distribution.sample(u));
+        }
+        choice.chosen()
     }
 }
 
@@ -124,14 +167,10 @@ impl<T: Real, D: Smith<T>, const N: usize> Smith<T> for Mixture<T, D, N> {
 
     #[inline]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        // 1/G₁ = Σ wᵢ/G₁ᵢ, hence G₁ (wo·h) D/cos = Σ (wᵢ G₁/G₁ᵢ) times the same of component i.
-        let cos = wo.z().max(T::lit(0.0));
-        let visible = self.distributions.each_ref().map(|each| cos + each.lambda_cos(wo));
-        let all = (cos + self.lambda_cos(wo)).max(T::lit(1e-37));
-        let mut probabilities = self.weights;
-        for (probability, visible) in probabilities.iter_mut().zip(visible) {
-            *probability = *probability * (visible / all);
+        let (visible, mut choice) = (Visible::new(wo, self.lambda_cos(wo)), Choice::new(u));
+        for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
+            visible.offer(&mut choice, weight, distribution);
         }
-        self.choose(probabilities, u, |distribution, u| distribution.sample_visible(wo, u))
+        choice.chosen()
     }
 }

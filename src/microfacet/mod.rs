@@ -8,7 +8,7 @@ mod distribution;
 mod gaussian;
 mod ggx;
 mod historical;
-mod mixture;
+pub(crate) mod mixture;
 mod normal_slopes;
 mod roughness;
 mod shadowing;

@@ -1,0 +1,313 @@
+//! Models of reflection.
+
+use alloc::vec::Vec;
+
+use super::AnyBrdf;
+use super::distribution::{DistributionDescription, Normals};
+use super::error::{DescriptionError, Problem};
+use super::form::{entrance, forms, part};
+use super::fresnel::FresnelDescription;
+use super::model::{Blinn1977Form, Lobe, Model, Shadowed};
+use super::parse::{Parse, Word};
+use super::place::{Place, Record};
+use super::value::{ColorDescription, RoughnessDescription};
+use crate::diffuse::{Lambert, OrenNayar};
+use crate::error::{ParameterError, range};
+use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
+use crate::microfacet::{Beckmann, Blinn1977, Blinn1977Printed, CookTorrance};
+use crate::real::{Color, Real};
+use crate::sum::WeightedSum;
+
+forms! {
+    /// A model of reflection. The keys are the parameters of the type with the same name.
+    ///
+    /// ```
+    /// use brdf::Brdf;
+    /// use brdf::description::BrdfDescription;
+    /// use glam::Vec3;
+    ///
+    /// let plastic: BrdfDescription = serde_json::from_str(r#"{"sum": [
+    ///     {"weight": 0.9, "brdf": {"lambert": {"albedo": [0.8, 0.2, 0.1]}}},
+    ///     {"weight": 0.1, "brdf": {"phong": {"specular": 1, "exponent": 40}}}
+    /// ]}"#)?;
+    /// let plastic = plastic.build::<f32>()?;
+    /// assert!((plastic.albedo(Vec3::Z).x - 0.82).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub enum BrdfDescription as "a model, such as {\"lambert\": {\"albedo\": 0.5}}" {
+        /// [`Lambert`].
+        "lambert" => Lambert {
+            /// Fraction of the light that is reflected.
+            albedo: ColorDescription,
+        },
+        /// [`OrenNayar`].
+        "oren_nayar" => OrenNayar {
+            /// Fraction of the light that a facet reflects.
+            albedo: ColorDescription,
+            /// Standard deviation of the tilt of the facets in radians.
+            sigma: f64,
+            /// [`OrenNayar::with_interreflection`], false if absent.
+            interreflection: bool = false,
+        },
+        /// [`Phong`].
+        "phong" => Phong {
+            /// Directional albedo at normal incidence.
+            specular: ColorDescription,
+            /// Sharpness of the lobe.
+            exponent: f64,
+            /// False for [`ClassicPhong`], true if absent.
+            normalized: bool = true,
+        },
+        /// [`BlinnPhong`].
+        "blinn_phong" => BlinnPhong {
+            /// Directional albedo at normal incidence.
+            specular: ColorDescription,
+            /// Sharpness of the lobe.
+            exponent: f64,
+            /// False for [`BlinnPhong::unnormalized`], true if absent.
+            normalized: bool = true,
+        },
+        /// [`SchlickPower`].
+        "schlick_power" => SchlickPower {
+            /// Directional albedo at normal incidence.
+            specular: ColorDescription,
+            /// Sharpness of the lobe.
+            exponent: f64,
+            /// False for [`SchlickPower::unnormalized`], true if absent.
+            normalized: bool = true,
+        },
+        /// [`CookTorrance`].
+        "cook_torrance" => CookTorrance {
+            /// D.
+            distribution: DistributionDescription,
+            /// F.
+            fresnel: FresnelDescription,
+            /// G, V-cavities if absent.
+            shadowing: ShadowingDescription = ShadowingDescription::VCavity,
+        },
+        /// [`CookTorrance::torrance_sparrow_1967`].
+        "torrance_sparrow_1967" => TorranceSparrow1967 {
+            /// Sharpness of the distribution in 1/degree.
+            c: f64,
+            /// F.
+            fresnel: FresnelDescription,
+        },
+        /// [`CookTorrance1982Printed`](crate::CookTorrance1982Printed).
+        "cook_torrance_1982_printed" => CookTorrance1982Printed {
+            /// Roughness of Beckmann's distribution.
+            roughness: RoughnessDescription,
+            /// F.
+            fresnel: FresnelDescription,
+        },
+        /// [`Blinn1977Printed`].
+        "blinn_1977_printed" => Blinn1977Printed {
+            /// Which of Blinn's distributions.
+            distribution: Blinn1977Description,
+            /// Half-width angle in radians.
+            beta: f64,
+            /// F.
+            fresnel: FresnelDescription,
+        },
+        /// [`WeightedSum`].
+        "sum" => Sum(Vec<WeightedBrdf>),
+    }
+}
+entrance!(BrdfDescription);
+
+part! {
+    /// A term of a sum.
+    pub struct WeightedBrdf {
+        /// Weight, per channel.
+        pub weight: ColorDescription,
+        /// The model.
+        pub brdf: BrdfDescription,
+    }
+}
+
+/// Declares an enum of bare words.
+macro_rules! words {
+    ($(#[$meta:meta])* pub enum $name:ident {
+        $( $(#[$word_meta:meta])* $word:literal => $variant:ident ),+ $(,)?
+    }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+        #[non_exhaustive]
+        pub enum $name {
+            $( $(#[$word_meta])* #[serde(rename = $word)] $variant ),+
+        }
+
+        impl<'de> Parse<'de> for $name {
+            fn parse<D: serde::Deserializer<'de>>(
+                place: &Place<'_>,
+                from: D,
+            ) -> Result<Self, D::Error> {
+                const WORDS: &[&str] = &[$($word),+];
+                struct Words<'a>(&'a Place<'a>);
+                impl<'de> serde::de::Visitor<'de> for Words<'_> {
+                    type Value = $name;
+                    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                        f.write_str(concat!("one of", $( " `", $word, "`" ),+))
+                    }
+                    fn visit_enum<A: serde::de::EnumAccess<'de>>(
+                        self,
+                        word: A,
+                    ) -> Result<$name, A::Error> {
+                        let (word, content) =
+                            word.variant_seed(Word { place: self.0, words: WORDS })?;
+                        serde::de::VariantAccess::unit_variant(content)?;
+                        match word {
+                            $( $word => Ok($name::$variant), )+
+                            _ => Err(serde::de::Error::unknown_variant(word, WORDS)),
+                        }
+                    }
+                }
+                from.deserialize_enum(stringify!($name), WORDS, Words(place))
+            }
+        }
+    };
+}
+
+words! {
+    /// Shadowing and masking.
+    pub enum ShadowingDescription {
+        /// [`VCavity`](crate::VCavity).
+        "v_cavity" => VCavity,
+        /// [`SmithCorrelated`](crate::SmithCorrelated), for Beckmann, GGX and mixtures of them.
+        "smith" => Smith,
+        /// [`SmithSeparable`](crate::SmithSeparable), for the same.
+        "smith_separable" => SmithSeparable,
+    }
+}
+
+words! {
+    /// Which distribution of [`Blinn1977`].
+    pub enum Blinn1977Description {
+        /// Phong's power of the cosine.
+        "d1" => D1,
+        /// Torrance and Sparrow's normal distribution of the angle.
+        "d2" => D2,
+        /// Trowbridge and Reitz's ellipsoids.
+        "d3" => D3,
+    }
+}
+
+impl BrdfDescription {
+    /// The model in a number of choice.
+    ///
+    /// A call of the model costs one dispatch; distribution, Fresnel term and shadowing are known
+    /// to the compiler behind it. The terms of a sum are models of their own, with one dispatch
+    /// each.
+    ///
+    /// # Errors
+    /// If a value is outside its range, a metal is not known, Smith's shadowing is asked for a
+    /// distribution that does not have it, or sums and mixtures are too deep or too long.
+    pub fn build<T: Real>(&self) -> Result<AnyBrdf<T>, DescriptionError> {
+        Ok(self.checked(&Place::root(&Record::default()))?.boxed())
+    }
+
+    pub(super) fn checked<T: Real>(&self, place: &Place<'_>) -> Result<Model<T>, DescriptionError> {
+        Ok(match self {
+            Self::Lambert { albedo } => {
+                let built = Lambert::new(albedo.color::<T>());
+                Model::Lambert(place.key("lambert").parameters(built)?)
+            }
+            Self::OrenNayar { albedo, sigma, interreflection } => {
+                let new =
+                    if *interreflection { OrenNayar::with_interreflection } else { OrenNayar::new };
+                let built = new(albedo.color::<T>(), T::lit(*sigma));
+                Model::OrenNayar(place.key("oren_nayar").parameters(built)?)
+            }
+            Self::Phong { specular, exponent, normalized } => {
+                let (place, specular) = (place.key("phong"), specular.color::<T>());
+                let exponent = T::lit(*exponent);
+                Model::Lobe(if *normalized {
+                    Lobe::Phong(place.parameters(Phong::new(specular, exponent))?)
+                } else {
+                    Lobe::ClassicPhong(place.parameters(ClassicPhong::new(specular, exponent))?)
+                })
+            }
+            Self::BlinnPhong { specular, exponent, normalized } => {
+                let new = if *normalized { BlinnPhong::new } else { BlinnPhong::unnormalized };
+                let built = new(specular.color::<T>(), T::lit(*exponent));
+                Model::Lobe(Lobe::BlinnPhong(place.key("blinn_phong").parameters(built)?))
+            }
+            Self::SchlickPower { specular, exponent, normalized } => {
+                let new = if *normalized { SchlickPower::new } else { SchlickPower::unnormalized };
+                let built = new(specular.color::<T>(), T::lit(*exponent));
+                Model::Lobe(Lobe::SchlickPower(place.key("schlick_power").parameters(built)?))
+            }
+            Self::CookTorrance { distribution, fresnel, shadowing } => {
+                let place = place.key("cook_torrance");
+                let normals = distribution.checked(&place.key("distribution"))?;
+                let reflectance = fresnel.checked(&place.key("fresnel"))?;
+                let shadowed = shadowed(normals, *shadowing)
+                    .ok_or_else(|| place.key("shadowing").error(Problem::NoSmith))?;
+                Model::CookTorrance(shadowed, reflectance)
+            }
+            Self::TorranceSparrow1967 { c, fresnel } => {
+                let place = place.key("torrance_sparrow_1967");
+                let built = CookTorrance::torrance_sparrow_1967(T::lit(*c), ());
+                let normals = Normals::Gaussian(*place.parameters(built)?.distribution());
+                Model::CookTorrance(
+                    Shadowed::VCavity(normals),
+                    fresnel.checked(&place.key("fresnel"))?,
+                )
+            }
+            Self::CookTorrance1982Printed { roughness, fresnel } => {
+                let place = place.key("cook_torrance_1982_printed");
+                let built = roughness.distribution(&place, Beckmann::new, Beckmann::anisotropic);
+                Model::CookTorrance1982Printed(built?, fresnel.checked(&place.key("fresnel"))?)
+            }
+            Self::Blinn1977Printed { distribution, beta, fresnel } => {
+                let place = place.key("blinn_1977_printed");
+                let blinn = place.parameters(Blinn1977::new(T::lit(*beta)))?;
+                let distribution = match distribution {
+                    Blinn1977Description::D1 => {
+                        Blinn1977Printed::d1(blinn, ()).map(Blinn1977Form::D1)
+                    }
+                    Blinn1977Description::D2 => {
+                        Blinn1977Printed::d2(blinn, ()).map(Blinn1977Form::D2)
+                    }
+                    Blinn1977Description::D3 => {
+                        Blinn1977Printed::d3(blinn, ()).map(Blinn1977Form::D3)
+                    }
+                };
+                Model::Blinn1977Printed(
+                    place.parameters(distribution)?,
+                    fresnel.checked(&place.key("fresnel"))?,
+                )
+            }
+            Self::Sum(terms) => Model::Sum(sum(terms, &place.key("sum"))?),
+        })
+    }
+}
+
+/// The distribution with the shadowing that is asked for, if it has it.
+fn shadowed<T: Real>(normals: Normals<T>, shadowing: ShadowingDescription) -> Option<Shadowed<T>> {
+    match (shadowing, normals) {
+        (ShadowingDescription::VCavity, normals) => Some(Shadowed::VCavity(normals)),
+        (ShadowingDescription::Smith, Normals::Smith(normals)) => Some(Shadowed::Smith(normals)),
+        (ShadowingDescription::SmithSeparable, Normals::Smith(normals)) => {
+            Some(Shadowed::SmithSeparable(normals))
+        }
+        _ => None,
+    }
+}
+
+/// A sum; its place is that of the list.
+fn sum<T: Real>(
+    terms: &[WeightedBrdf],
+    place: &Place<'_>,
+) -> Result<WeightedSum<Model<T>, T::Vec3, T>, DescriptionError> {
+    let mut checked = Vec::new();
+    for (index, term) in terms.iter().enumerate() {
+        let place = place.term(index)?;
+        let weight = term.weight.color::<T>();
+        // Here and not only by the sum, because here the term is known.
+        place.parameters(ParameterError::check("weight", range::WEIGHT, |lower, upper| {
+            Color::<T>::outside(weight, lower, upper)
+        }))?;
+        checked.push((weight, term.brdf.checked(&place.key("brdf"))?));
+    }
+    place.parameter(WeightedSum::new(checked))
+}

@@ -1,0 +1,171 @@
+//! Distributions of facet normals.
+
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
+use super::AnyDistribution;
+use super::error::DescriptionError;
+use super::form::{entrance, forms, part};
+use super::mixed::{Mixed, MixedSmith};
+use super::place::{Place, Record};
+use super::value::RoughnessDescription;
+use crate::error::{ParameterError, range};
+use crate::microfacet::{Beckmann, Blinn, Gaussian, Ggx};
+use crate::real::Real;
+
+forms! {
+    /// A distribution of facet normals. The keys are the parameters of the type with the same name.
+    ///
+    /// ```
+    /// use brdf::Distribution;
+    /// use brdf::description::DistributionDescription;
+    /// use glam::DVec3;
+    ///
+    /// let text = r#"{"beckmann": {"roughness": [0.2, 0.5]}}"#;
+    /// let brushed: DistributionDescription = serde_json::from_str(text)?;
+    /// let density = brushed.build::<f64>()?.density(DVec3::Z);
+    /// assert!((density - 1.0 / (std::f64::consts::PI * 0.2 * 0.5)).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub enum DistributionDescription as "a distribution, such as {\"ggx\": {\"roughness\": 0.3}}" {
+        /// [`Gaussian`].
+        "gaussian" => Gaussian {
+            /// Angle in radians at which D falls to 1/e.
+            roughness: f64,
+        },
+        /// [`Beckmann`].
+        "beckmann" => Beckmann {
+            /// Root-mean-square slope times √2.
+            roughness: RoughnessDescription,
+        },
+        /// [`Ggx`].
+        "ggx" => Ggx {
+            /// Scale of the slopes.
+            roughness: RoughnessDescription,
+        },
+        /// [`Blinn`].
+        "blinn" => Blinn {
+            /// Exponent of the cosine.
+            exponent: f64,
+        },
+        /// A weighted mean of distributions, as [`Mixture`](crate::Mixture).
+        "mixture" => Mixture(Vec<WeightedDistribution>),
+    }
+}
+entrance!(DistributionDescription);
+
+part! {
+    /// A term of a mixture.
+    pub struct WeightedDistribution {
+        /// Weight, divided by the sum of all weights.
+        pub weight: f64,
+        /// The distribution.
+        pub distribution: DistributionDescription,
+    }
+}
+
+/// A checked distribution.
+pub(super) enum Normals<T: Real> {
+    Gaussian(Gaussian<T>),
+    Blinn(Blinn<T>),
+    Mixed(Mixed<T>),
+    Smith(SmithNormals<T>),
+}
+
+/// A checked distribution for which Smith's shadowing is known.
+pub(super) enum SmithNormals<T: Real> {
+    Beckmann(Beckmann<T>),
+    Ggx(Ggx<T>),
+    Mixed(MixedSmith<T>),
+}
+
+/// The same expression for every type of distribution with Smith's shadowing.
+macro_rules! each_smith {
+    ($normals:expr, $distribution:ident => $result:expr) => {
+        match $normals {
+            $crate::description::distribution::SmithNormals::Beckmann($distribution) => $result,
+            $crate::description::distribution::SmithNormals::Ggx($distribution) => $result,
+            $crate::description::distribution::SmithNormals::Mixed($distribution) => $result,
+        }
+    };
+}
+pub(super) use each_smith;
+
+/// The same expression for every type of distribution.
+macro_rules! each_distribution {
+    ($normals:expr, $distribution:ident => $result:expr) => {
+        match $normals {
+            $crate::description::distribution::Normals::Gaussian($distribution) => $result,
+            $crate::description::distribution::Normals::Blinn($distribution) => $result,
+            $crate::description::distribution::Normals::Mixed($distribution) => $result,
+            $crate::description::distribution::Normals::Smith(normals) => {
+                $crate::description::distribution::each_smith!(normals, $distribution => $result)
+            }
+        }
+    };
+}
+pub(super) use each_distribution;
+
+impl DistributionDescription {
+    /// The distribution in a number of choice.
+    ///
+    /// # Errors
+    /// If a value is outside its range, or a mixture is too deep or too long.
+    pub fn build<T: Real>(&self) -> Result<AnyDistribution<T>, DescriptionError> {
+        let normals = self.checked(&Place::root(&Record::default()))?;
+        Ok(each_distribution!(normals, distribution => Box::new(distribution)))
+    }
+
+    pub(super) fn checked<T: Real>(
+        &self,
+        place: &Place<'_>,
+    ) -> Result<Normals<T>, DescriptionError> {
+        Ok(match self {
+            Self::Gaussian { roughness } => Normals::Gaussian(
+                place.key("gaussian").parameters(Gaussian::new(T::lit(*roughness)))?,
+            ),
+            Self::Beckmann { roughness } => {
+                let place = place.key("beckmann");
+                let built = roughness.distribution(&place, Beckmann::new, Beckmann::anisotropic);
+                Normals::Smith(SmithNormals::Beckmann(built?))
+            }
+            Self::Ggx { roughness } => {
+                let place = place.key("ggx");
+                let built = roughness.distribution(&place, Ggx::new, Ggx::anisotropic);
+                Normals::Smith(SmithNormals::Ggx(built?))
+            }
+            Self::Blinn { exponent } => {
+                Normals::Blinn(place.key("blinn").parameters(Blinn::new(T::lit(*exponent)))?)
+            }
+            Self::Mixture(terms) => mixture(terms, &place.key("mixture"))?.into_normals(),
+        })
+    }
+}
+
+/// A mixture; its place is that of the list.
+fn mixture<T: Real>(
+    terms: &[WeightedDistribution],
+    place: &Place<'_>,
+) -> Result<Mixed<T>, DescriptionError> {
+    let mut total = T::lit(0.0);
+    let mut checked = Vec::new();
+    for (index, term) in terms.iter().enumerate() {
+        let place = place.term(index)?;
+        let weight = T::lit(term.weight);
+        place.parameters(ParameterError::check("weight", range::WEIGHT, |lower, upper| {
+            weight.outside(lower, upper)
+        }))?;
+        total = total + weight;
+        checked.push((weight, term.distribution.checked(&place.key("distribution"))?));
+    }
+    place.parameter(ParameterError::check(
+        "sum of weights",
+        range::TOTAL_WEIGHT,
+        |lower, upper| total.outside(lower, upper),
+    ))?;
+    let mut mixed = Mixed::new();
+    for (weight, normals) in checked {
+        mixed.add(weight / total, normals);
+    }
+    Ok(mixed)
+}

@@ -1,0 +1,103 @@
+//! What can be wrong with a description.
+
+use alloc::string::String;
+use core::error::Error;
+use core::fmt;
+
+use super::{MAX_DEPTH, MAX_TERMS};
+use crate::error::ParameterError;
+
+/// A description of something that cannot be built: where, what, and what is allowed.
+///
+/// ```
+/// use brdf::description::BrdfDescription;
+///
+/// let text = r#"{"sum": [{"weight": 1, "brdf": {"lambert": {"albedo": [0.5, 0.5, 1.5]}}}]}"#;
+/// let error = serde_json::from_str::<BrdfDescription>(text).unwrap_err();
+/// assert_eq!(
+///     error.to_string(),
+///     "sum[0].brdf.lambert.albedo must be between 0.0 and 1.0, not 1.5"
+/// );
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct DescriptionError {
+    path: String,
+    problem: Problem,
+}
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Problem {
+    /// A number outside its range.
+    Parameter(ParameterError),
+    /// A metal that is not known, and why not.
+    Metal(String),
+    /// Smith's shadowing with a distribution for which it is not known.
+    NoSmith,
+    /// Sums or mixtures inside each other, too deep.
+    TooDeep,
+    /// More terms of sums and mixtures than are allowed altogether.
+    TooManyTerms,
+}
+
+impl DescriptionError {
+    pub(super) const fn new(path: String, problem: Problem) -> Self {
+        Self { path, problem }
+    }
+
+    /// The keys and indices that lead to the value, as in `sum[0].brdf.lambert.albedo`.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        &self.path
+    }
+
+    /// What is wrong with the value.
+    #[must_use]
+    pub const fn problem(&self) -> &Problem {
+        &self.problem
+    }
+}
+
+impl fmt::Display for DescriptionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let separator = match &self.problem {
+            // The path ends with the name of the parameter, unless it is one of the whole list.
+            Problem::Parameter(error) if !is_of_list(error) => " ",
+            _ => ": ",
+        };
+        write!(f, "{}{separator}{}", self.path, self.problem)
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(error) => {
+                if is_of_list(error) {
+                    write!(f, "{} ", error.parameter())?;
+                }
+                let (lower, upper) = error.range();
+                write!(f, "must be between {lower:?} and {upper:?}, not {:?}", error.value())
+            }
+            Self::Metal(why) => f.write_str(why),
+            Self::NoSmith => f.write_str(
+                "Smith's shadowing is known for beckmann, ggx and mixtures of them; `v_cavity` \
+                 fits every distribution",
+            ),
+            Self::TooDeep => {
+                write!(f, "at most {MAX_DEPTH} sums and mixtures may stand inside each other")
+            }
+            Self::TooManyTerms => {
+                write!(f, "sums and mixtures may have at most {MAX_TERMS} terms altogether")
+            }
+        }
+    }
+}
+
+/// Whether the parameter is no key but the sum of weights of a list.
+fn is_of_list(error: &ParameterError) -> bool {
+    error.parameter().contains("weight") && error.parameter() != "weight"
+}
+
+impl Error for DescriptionError {}

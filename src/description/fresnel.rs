@@ -1,0 +1,164 @@
+//! Fresnel terms.
+
+use alloc::boxed::Box;
+use alloc::string::String;
+
+use super::AnyFresnel;
+use super::error::{DescriptionError, Problem};
+use super::form::{entrance, forms};
+use super::place::{Place, Record};
+use super::value::ColorDescription;
+use crate::fresnel::{Conductor, Constant, Cook, Dielectric, Hall, Schlick};
+use crate::real::Real;
+
+forms! {
+    /// A Fresnel term. The keys are the parameters of the type with the same name.
+    ///
+    /// ```
+    /// use brdf::Fresnel;
+    /// use brdf::description::FresnelDescription;
+    ///
+    /// let glass: FresnelDescription = serde_json::from_str(r#"{"dielectric": {"ior": 1.5}}"#)?;
+    /// let glass = glass.build::<f64>()?;
+    /// assert!((glass.reflectance(1.0).x - 0.04).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub enum FresnelDescription as "a Fresnel term, such as {\"schlick\": {\"f0\": 0.04}}" {
+        /// [`Constant`]: the same at all angles.
+        "constant" => Constant(ColorDescription),
+        /// [`Dielectric`].
+        "dielectric" => Dielectric {
+            /// Relative index, transmitted over incident; below 1 is from inside.
+            ior: ColorDescription,
+        },
+        /// [`Conductor`].
+        "conductor" => Conductor {
+            /// Real part of the index.
+            eta: ColorDescription,
+            /// Imaginary part of the index.
+            k: ColorDescription,
+        },
+        /// A metal, alloy or semiconductor by its symbol or name: its measured index at 650, 550
+        /// and 450 nm. It needs the feature `materials`.
+        "metal" => Metal(String),
+        /// [`Schlick`].
+        "schlick" => Schlick {
+            /// Reflectance at normal incidence.
+            f0: ColorDescription,
+        },
+        /// [`Hall`], driven by a dielectric.
+        "hall" => Hall {
+            /// Reflectance at normal incidence.
+            f0: ColorDescription,
+            /// Index whose exact curve drives the interpolation, 1.5 if absent.
+            ior: f64 = 1.5,
+        },
+        /// [`Cook`], driven by a dielectric.
+        "cook" => Cook {
+            /// Reflectance at normal incidence.
+            f0: ColorDescription,
+            /// Colour of the light.
+            light: ColorDescription,
+            /// Index whose exact curve drives the interpolation, 1.5 if absent.
+            ior: f64 = 1.5,
+        },
+    }
+}
+entrance!(FresnelDescription);
+
+/// A checked Fresnel term.
+pub(super) enum Reflectance<T: Real> {
+    Constant(Constant<T::Vec3>),
+    Dielectric(Dielectric<T::Vec3>),
+    Conductor(Conductor<T::Vec3>),
+    Schlick(Schlick<T::Vec3>),
+    Hall(Hall<T::Vec3, Dielectric<T>>),
+    Cook(Cook<T::Vec3, Dielectric<T>>),
+}
+
+/// The same expression for every type of Fresnel term.
+macro_rules! each_fresnel {
+    ($term:expr, $fresnel:ident => $result:expr) => {
+        match $term {
+            $crate::description::fresnel::Reflectance::Constant($fresnel) => $result,
+            $crate::description::fresnel::Reflectance::Dielectric($fresnel) => $result,
+            $crate::description::fresnel::Reflectance::Conductor($fresnel) => $result,
+            $crate::description::fresnel::Reflectance::Schlick($fresnel) => $result,
+            $crate::description::fresnel::Reflectance::Hall($fresnel) => $result,
+            $crate::description::fresnel::Reflectance::Cook($fresnel) => $result,
+        }
+    };
+}
+pub(super) use each_fresnel;
+
+impl FresnelDescription {
+    /// The Fresnel term in a number of choice.
+    ///
+    /// # Errors
+    /// If a value is outside its range or the metal is not known.
+    pub fn build<T: Real>(&self) -> Result<AnyFresnel<T>, DescriptionError> {
+        let reflectance = self.checked(&Place::root(&Record::default()))?;
+        Ok(each_fresnel!(reflectance, fresnel => Box::new(fresnel)))
+    }
+
+    pub(super) fn checked<T: Real>(
+        &self,
+        place: &Place<'_>,
+    ) -> Result<Reflectance<T>, DescriptionError> {
+        Ok(match self {
+            Self::Constant(reflectance) => Reflectance::Constant(
+                place.key("constant").parameter(Constant::new(reflectance.color::<T>()))?,
+            ),
+            Self::Dielectric { ior } => Reflectance::Dielectric(
+                place.key("dielectric").parameters(Dielectric::new(ior.color::<T>()))?,
+            ),
+            Self::Conductor { eta, k } => {
+                let built = Conductor::new(eta.color::<T>(), k.color::<T>());
+                Reflectance::Conductor(place.key("conductor").parameters(built)?)
+            }
+            Self::Metal(name) => {
+                let place = place.key("metal");
+                Reflectance::Conductor(metal::<T>(name).map_err(|problem| place.error(problem))?)
+            }
+            Self::Schlick { f0 } => Reflectance::Schlick(
+                place.key("schlick").parameters(Schlick::new(f0.color::<T>()))?,
+            ),
+            Self::Hall { f0, ior } => {
+                let built = Hall::new(f0.color::<T>(), T::lit(*ior));
+                Reflectance::Hall(place.key("hall").parameters(built)?)
+            }
+            Self::Cook { f0, light, ior } => {
+                let built = Cook::new(f0.color::<T>(), light.color::<T>(), T::lit(*ior));
+                Reflectance::Cook(place.key("cook").parameters(built)?)
+            }
+        })
+    }
+}
+
+#[cfg(feature = "materials")]
+fn metal<T: Real>(name: &str) -> Result<Conductor<T::Vec3>, Problem> {
+    use alloc::format;
+    use alloc::string::ToString;
+
+    use crate::materials::{Kind, find};
+    use crate::real::Vector;
+
+    let material = find(name).map_err(|error| Problem::Metal(error.to_string()))?;
+    if material.kind() == Kind::Dielectric {
+        return Err(Problem::Metal(format!(
+            "{} is no metal; describe it as a dielectric by its index",
+            material.key()
+        )));
+    }
+    let index = material.refractive_index(glam::DVec3::new(650.0, 550.0, 450.0));
+    let index = index.map_err(|error| Problem::Metal(error.to_string()))?;
+    let lit = |value: glam::DVec3| -> T::Vec3 {
+        Vector::new(T::lit(value.x), T::lit(value.y), T::lit(value.z))
+    };
+    Conductor::new(lit(index.eta), lit(index.k)).map_err(|error| Problem::Metal(error.to_string()))
+}
+
+#[cfg(not(feature = "materials"))]
+fn metal<T: Real>(_: &str) -> Result<Conductor<T::Vec3>, Problem> {
+    Err(Problem::Metal("metals by name need the feature `materials`".into()))
+}

@@ -1,0 +1,109 @@
+//! Models as data: a scene file names a model and its parameters, and [`build`] makes the model.
+//!
+//! [`BrdfDescription`], [`FresnelDescription`] and [`DistributionDescription`] can be read from and
+//! written to every format of serde that names its keys: JSON, RON, CBOR, YAML, … They are
+//! externally tagged, in snake case. A colour C is `0.5` or `[r, g, b]`; a roughness R is `0.3` or
+//! `[along_x, along_y]`. Where a value is shown for a key, the key may be left out and has that
+//! value. Ranges are those of the type with the same name.
+//!
+//! | Brdf B | |
+//! |---|---|
+//! | `{"lambert": {"albedo": C}}` | |
+//! | `{"oren_nayar": {"albedo": C, "sigma": s, "interreflection": false}}` | sigma in radians |
+//! | `{"phong": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the highlight of 1975 over the cosine |
+//! | `{"blinn_phong": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the classic lobe |
+//! | `{"schlick_power": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the classic lobe |
+//! | `{"cook_torrance": {"distribution": D, "fresnel": F, "shadowing": "v_cavity"}}` | or `"smith"` (height-correlated), `"smith_separable"`, both for Beckmann, GGX and mixtures of them |
+//! | `{"torrance_sparrow_1967": {"c": c, "fresnel": F}}` | c in 1/degree |
+//! | `{"cook_torrance_1982_printed": {"roughness": R, "fresnel": F}}` | |
+//! | `{"blinn_1977_printed": {"distribution": "d1", "beta": b, "fresnel": F}}` | or `"d2"`, `"d3"`; beta in radians |
+//! | `{"sum": [{"weight": C, "brdf": B}, …]}` | |
+//!
+//! | Fresnel F | |
+//! |---|---|
+//! | `{"constant": C}` | same at all angles |
+//! | `{"dielectric": {"ior": C}}` | relative index, transmitted over incident; below 1 is from inside |
+//! | `{"conductor": {"eta": C, "k": C}}` | |
+//! | `{"metal": "Au"}` | measured index at 650, 550 and 450 nm, by symbol or name (feature `materials`) |
+//! | `{"schlick": {"f0": C}}` | |
+//! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index |
+//! | `{"cook": {"f0": C, "light": C, "ior": 1.5}}` | likewise; contains the light |
+//!
+//! | Distribution D | |
+//! |---|---|
+//! | `{"gaussian": {"roughness": m}}` | the same in all directions |
+//! | `{"beckmann": {"roughness": R}}`, `{"ggx": {"roughness": R}}` | |
+//! | `{"blinn": {"exponent": n}}` | |
+//! | `{"mixture": [{"weight": w, "distribution": D}, …]}` | weights are divided by their sum |
+//!
+//! # Errors
+//! Reading checks everything. An unknown, missing or repeated key, a wrong type and a value out of
+//! range are errors that name the place; a value out of range names the range too:
+//!
+//! ```
+//! use brdf::description::BrdfDescription;
+//!
+//! let error = |text| serde_json::from_str::<BrdfDescription>(text).unwrap_err().to_string();
+//! assert_eq!(
+//!     error(r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": -1}},
+//!                                 "fresnel": {"schlick": {"f0": 0.04}}}}"#),
+//!     "cook_torrance.distribution.ggx.roughness must be between 1e-8 and 10000.0, not -1.0"
+//! );
+//! assert_eq!(
+//!     error(r#"{"lambert": {"albedo": "white"}}"#),
+//!     "lambert.albedo: invalid type: string \"white\", expected a number or a list of 3 numbers \
+//!      at line 1 column 30"
+//! );
+//! ```
+//!
+//! # Bounds
+//! At most [`MAX_DEPTH`] sums and mixtures stand inside each other, and all of them together have
+//! at most [`MAX_TERMS`] terms; a description beyond that is an error before it is read further.
+//! So a file from an unknown source can neither overflow the stack nor fill the memory, in any
+//! format, and the cost of a model stays bounded.
+//!
+//! # Cost
+//! What is built is an object: one dispatch per call. Behind it distribution, Fresnel term and
+//! shadowing are known to the compiler, as if the type had been written out; the terms of a mixture
+//! are sorted by type. A term of a sum is an object of its own.
+//!
+//! [`build`]: BrdfDescription::build
+
+mod brdf;
+mod distribution;
+mod error;
+mod form;
+mod fresnel;
+mod mixed;
+mod model;
+mod parse;
+mod place;
+mod value;
+
+use alloc::boxed::Box;
+
+use crate::brdf::Brdf;
+use crate::fresnel::Fresnel;
+use crate::microfacet::Distribution;
+use crate::real::Real;
+
+pub use self::brdf::{Blinn1977Description, BrdfDescription, ShadowingDescription, WeightedBrdf};
+pub use distribution::{DistributionDescription, WeightedDistribution};
+pub use error::{DescriptionError, Problem};
+pub use fresnel::FresnelDescription;
+pub use value::{ColorDescription, RoughnessDescription};
+
+/// How many sums and mixtures may stand inside each other.
+pub const MAX_DEPTH: usize = 32;
+
+/// How many terms all sums and mixtures of a description may have together.
+pub const MAX_TERMS: usize = 1024;
+
+/// A model whose type is known only at run time.
+pub type AnyBrdf<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
+
+/// A Fresnel term whose type is known only at run time.
+pub type AnyFresnel<T> = Box<dyn Fresnel<T, Color = <T as Real>::Vec3>>;
+
+/// A distribution whose type is known only at run time.
+pub type AnyDistribution<T> = Box<dyn Distribution<T>>;

@@ -1,0 +1,113 @@
+//! Deep and long descriptions: an error, in every format, and on a small stack.
+
+use brdf::description::{BrdfDescription, DistributionDescription, MAX_DEPTH, MAX_TERMS};
+
+/// Sums in sums, `depth` of them.
+fn nested_sums(depth: usize) -> String {
+    let lambert = r#"{"lambert":{"albedo":0.5}}"#;
+    let open = r#"{"sum":[{"weight":1,"brdf":"#.repeat(depth);
+    format!("{open}{lambert}{}", "}]}".repeat(depth))
+}
+
+fn nested_mixtures(depth: usize) -> String {
+    let ggx = r#"{"ggx":{"roughness":0.5}}"#;
+    let open = r#"{"mixture":[{"weight":1,"distribution":"#.repeat(depth);
+    format!("{open}{ggx}{}", "}]}".repeat(depth))
+}
+
+/// Without the limit that serde_json has of its own.
+fn read<V: serde::de::DeserializeOwned>(text: &str) -> Result<V, serde_json::Error> {
+    let mut reader = serde_json::Deserializer::from_str(text);
+    reader.disable_recursion_limit();
+    V::deserialize(&mut reader)
+}
+
+/// On a stack of 256 KiB, an eighth of that of a thread.
+fn on_a_small_stack(test: impl FnOnce() + Send + 'static) {
+    let thread = std::thread::Builder::new().stack_size(256 * 1024).spawn(test);
+    thread.expect("a thread").join().expect("no panic");
+}
+
+#[test]
+fn depth_is_bounded() {
+    on_a_small_stack(|| {
+        let deepest: BrdfDescription = read(&nested_sums(MAX_DEPTH)).expect("deep enough");
+        assert!(deepest.build::<f32>().is_ok());
+        read::<DistributionDescription>(&nested_mixtures(MAX_DEPTH)).expect("deep enough");
+        for depth in [MAX_DEPTH + 1, 1_000, 100_000] {
+            let error = read::<BrdfDescription>(&nested_sums(depth)).expect_err("too deep");
+            let error = error.to_string();
+            assert!(error.starts_with("sum[0].brdf.sum[0]."), "{error}");
+            assert!(
+                error.contains("at most 32 sums and mixtures may stand inside each other"),
+                "{error}"
+            );
+            let error = read::<DistributionDescription>(&nested_mixtures(depth));
+            assert!(error.expect_err("too deep").to_string().contains("at most 32 sums"));
+        }
+    });
+}
+
+#[test]
+fn depth_is_bounded_in_cbor() {
+    // An array of one map of two texts, again and again.
+    let mut deep = Vec::new();
+    for _ in 0..200 {
+        deep.extend(b"\xa1\x63sum\x81\xa2\x66weight\x01\x64brdf");
+    }
+    let error = ciborium::from_reader::<BrdfDescription, _>(&*deep).expect_err("too deep");
+    assert!(error.to_string().contains("at most 32 sums"), "{error}");
+}
+
+#[test]
+fn a_description_that_was_made_too_deep_cannot_be_built() {
+    let mut description: BrdfDescription = read(&nested_sums(0)).expect("a model");
+    for _ in 0..=MAX_DEPTH {
+        let weight = brdf::description::ColorDescription::Gray(1.0);
+        description = BrdfDescription::Sum(vec![brdf::description::WeightedBrdf {
+            weight,
+            brdf: description,
+        }]);
+    }
+    let error = description.build::<f64>().err().expect("too deep");
+    assert!(error.to_string().contains("at most 32 sums"), "{error}");
+}
+
+#[test]
+fn the_number_of_terms_is_bounded() {
+    let sum = |terms: usize| {
+        let term = r#"{"weight":1,"brdf":{"lambert":{"albedo":0.5}}}"#;
+        format!(r#"{{"sum":[{}]}}"#, vec![term; terms].join(","))
+    };
+    assert!(read::<BrdfDescription>(&sum(MAX_TERMS)).is_ok());
+    let error = read::<BrdfDescription>(&sum(MAX_TERMS + 1)).expect_err("too long").to_string();
+    assert!(
+        error.starts_with("sum: sums and mixtures may have at most 1024 terms altogether"),
+        "{error}"
+    );
+
+    // The bound is on all lists together.
+    let half = sum(MAX_TERMS / 2);
+    let two = format!(r#"{{"sum":[{{"weight":1,"brdf":{half}}},{{"weight":1,"brdf":{half}}}]}}"#);
+    let error = read::<BrdfDescription>(&two).expect_err("too long").to_string();
+    assert!(error.contains("at most 1024 terms"), "{error}");
+}
+
+/// A length that is announced and not there reserves no memory.
+#[test]
+fn announced_lengths_are_not_believed() {
+    let list = b"\xa1\x63sum\x9b\x7f\xff\xff\xff\xff\xff\xff\xff";
+    assert!(ciborium::from_reader::<BrdfDescription, _>(&list[..]).is_err());
+    let color = b"\xa1\x67lambert\xa1\x66albedo\x9b\x7f\xff\xff\xff\xff\xff\xff\xff";
+    assert!(ciborium::from_reader::<BrdfDescription, _>(&color[..]).is_err());
+    let name = b"\xa1\x65metal\x7b\x7f\xff\xff\xff\xff\xff\xff\xff";
+    assert!(ciborium::from_reader::<brdf::description::FresnelDescription, _>(&name[..]).is_err());
+}
+
+/// Error messages stay short whatever the key.
+#[test]
+fn long_keys_are_not_repeated() {
+    let text = format!(r#"{{"{}": 1}}"#, "k".repeat(1_000_000));
+    let error = serde_json::from_str::<BrdfDescription>(&text).expect_err("unknown").to_string();
+    assert!(error.len() < 400, "{}", error.len());
+}

@@ -1,0 +1,240 @@
+//! Descriptions with a mistake: the error names the place and what is allowed.
+
+use brdf::ParameterError;
+use brdf::description::{
+    BrdfDescription, ColorDescription, DescriptionError, DistributionDescription,
+    FresnelDescription, Problem, RoughnessDescription,
+};
+
+fn model_error(text: &str) -> String {
+    serde_json::from_str::<BrdfDescription>(text).expect_err(text).to_string()
+}
+
+#[test]
+fn values_out_of_range_name_their_place_and_the_range() {
+    for (text, message) in [
+        (
+            r#"{"lambert": {"albedo": [0.5, 1.5, 0.5]}}"#,
+            "lambert.albedo must be between 0.0 and 1.0, not 1.5",
+        ),
+        (
+            r#"{"oren_nayar": {"albedo": 0.5, "sigma": 2}}"#,
+            "oren_nayar.sigma must be between 0.0 and 1.5707963267948966, not 2.0",
+        ),
+        (
+            r#"{"phong": {"specular": -1, "exponent": 2}}"#,
+            "phong.specular must be between 0.0 and 1.0, not -1.0",
+        ),
+        (
+            r#"{"phong": {"specular": 1, "exponent": -2, "normalized": false}}"#,
+            "phong.exponent must be between 0.0 and 100000000.0, not -2.0",
+        ),
+        (
+            r#"{"blinn_phong": {"specular": 1, "exponent": 1e9}}"#,
+            "blinn_phong.exponent must be between 0.0 and 100000000.0, not 1000000000.0",
+        ),
+        (
+            r#"{"sum": [{"weight": 1, "brdf": {"lambert": {"albedo": 1}}},
+                {"weight": 1, "brdf": {"cook_torrance": {"distribution":
+                {"beckmann": {"roughness": 0}}, "fresnel": {"metal": "Au"}}}}]}"#,
+            "sum[1].brdf.cook_torrance.distribution.beckmann.roughness must be between 1e-8 and \
+             10000.0, not 0.0",
+        ),
+        (
+            r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": [1, -1]}},
+                "fresnel": {"constant": 1}}}"#,
+            "cook_torrance.distribution.ggx.roughness[1] must be between 1e-8 and 10000.0, not -1.0",
+        ),
+        (
+            r#"{"cook_torrance": {"distribution": {"mixture": [{"weight": -1, "distribution":
+                {"blinn": {"exponent": 2}}}]}, "fresnel": {"constant": 1}}}"#,
+            "cook_torrance.distribution.mixture[0].weight must be between 0.0 and 10000000000.0, \
+             not -1.0",
+        ),
+        (
+            r#"{"cook_torrance": {"distribution": {"mixture": []}, "fresnel": {"constant": 1}}}"#,
+            "cook_torrance.distribution.mixture: sum of weights must be between 1e-30 and 1e30, \
+             not 0.0",
+        ),
+        (
+            r#"{"sum": [{"weight": [0, 0, -1], "brdf": {"lambert": {"albedo": 1}}}]}"#,
+            "sum[0].weight must be between 0.0 and 10000000000.0, not -1.0",
+        ),
+        (r#"{"sum": []}"#, "sum: total weight must be between 1e-30 and 1e30, not 0.0"),
+        (
+            r#"{"torrance_sparrow_1967": {"c": 0, "fresnel": {"constant": 1}}}"#,
+            "torrance_sparrow_1967.c must be between 1e-5 and 100000.0, not 0.0",
+        ),
+        (
+            r#"{"blinn_1977_printed": {"distribution": "d1", "beta": 2, "fresnel": {"constant": 1}}}"#,
+            "blinn_1977_printed.beta must be between 0.0001 and 1.57, not 2.0",
+        ),
+    ] {
+        assert_eq!(model_error(text), message);
+    }
+    for (text, message) in [
+        (r#"{"constant": 2}"#, "constant must be between 0.0 and 1.0, not 2.0"),
+        (
+            r#"{"dielectric": {"ior": 0}}"#,
+            "dielectric.ior must be between 0.0001 and 10000.0, not 0.0",
+        ),
+        (
+            r#"{"conductor": {"eta": 1, "k": [1, 1, -1]}}"#,
+            "conductor.k must be between 0.0 and 10000.0, not -1.0",
+        ),
+        (r#"{"schlick": {"f0": 1.1}}"#, "schlick.f0 must be between 0.0 and 1.0, not 1.1"),
+        (
+            r#"{"hall": {"f0": 1, "ior": 1e5}}"#,
+            "hall.ior must be between 0.0001 and 10000.0, not 100000.0",
+        ),
+        (
+            r#"{"cook": {"f0": 1, "light": -1}}"#,
+            "cook.light must be between 0.0 and 10000000000.0, not -1.0",
+        ),
+    ] {
+        let error = serde_json::from_str::<FresnelDescription>(text).expect_err(text);
+        assert_eq!(error.to_string(), message);
+    }
+    let text = r#"{"gaussian": {"roughness": 1e5}}"#;
+    let error = serde_json::from_str::<DistributionDescription>(text).expect_err(text);
+    assert_eq!(
+        error.to_string(),
+        "gaussian.roughness must be between 1e-8 and 10000.0, not 100000.0"
+    );
+}
+
+#[test]
+fn mistakes_of_form_name_their_place() {
+    for (text, message) in [
+        (
+            r#"{"lambret": {"albedo": 1}}"#,
+            "lambret: unknown name, expected one of `lambert`, `oren_nayar`, `phong`, \
+             `blinn_phong`, `schlick_power`, `cook_torrance`, `torrance_sparrow_1967`, \
+             `cook_torrance_1982_printed`, `blinn_1977_printed`, `sum`",
+        ),
+        (
+            r#"{"phong": {"specular": 1, "exponent": 2, "sharpness": 3}}"#,
+            "phong.sharpness: unknown name, expected one of `specular`, `exponent`, `normalized`",
+        ),
+        (
+            r#"{"cook_torrance": {"distribution": {"ggx": {"alpha": 1}}}}"#,
+            "cook_torrance.distribution.ggx.alpha: unknown name, expected `roughness`",
+        ),
+        (r#"{"phong": {"specular": 1}}"#, "phong.exponent: this key is missing"),
+        (r#"{"phong": {"specular": 1, "specular": 1}}"#, "phong.specular: this key is given twice"),
+        (
+            r#"{"phong": {"specular": "red", "exponent": 1}}"#,
+            "phong.specular: invalid type: string \"red\", expected a number or a list of 3 \
+             numbers",
+        ),
+        (
+            r#"{"phong": {"specular": [1, 1], "exponent": 1}}"#,
+            "phong.specular: invalid length 2, expected a number or a list of 3 numbers",
+        ),
+        (
+            r#"{"phong": {"specular": [1, 1, 1, 1], "exponent": 1}}"#,
+            "phong.specular: invalid value: floating point `1.0`, expected a number or a list of \
+             3 numbers",
+        ),
+        (
+            r#"{"phong": {"specular": [1, null, 1], "exponent": 1}}"#,
+            "phong.specular[1]: invalid type: null, expected a number",
+        ),
+        (
+            r#"{"phong": {"specular": 1, "exponent": [2]}}"#,
+            "phong.exponent: invalid type: sequence, expected a number",
+        ),
+        (
+            r#"{"phong": {"specular": 1, "exponent": 2, "normalized": 0}}"#,
+            "phong.normalized: invalid type: integer `0`, expected a boolean",
+        ),
+        (
+            r#"{"phong": [1, 2]}"#,
+            "phong: invalid type: sequence, expected an object with the keys `specular` \
+             `exponent` `normalized`",
+        ),
+        (r#"{"sum": {"weight": 1}}"#, "sum: invalid type: map, expected a list of terms"),
+        (
+            r#"{"sum": [{"weight": 1, "brdf": {"lambert": {"albedo": true}}}]}"#,
+            "sum[0].brdf.lambert.albedo: invalid type: boolean `true`, expected a number or a \
+             list of 3 numbers",
+        ),
+        (
+            r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": 1}},
+                "fresnel": {"constant": 1}, "shadowing": "smyth"}}"#,
+            "cook_torrance.shadowing.smyth: unknown name, expected one of `v_cavity`, `smith`, \
+             `smith_separable`",
+        ),
+    ] {
+        // The reader of JSON adds where in the text.
+        let error = model_error(text);
+        let (found, position) = error.split_once(" at line ").expect(&error);
+        assert_eq!(found, message);
+        assert!(position.contains(" column "), "{error}");
+    }
+}
+
+#[test]
+fn smith_is_refused_where_it_is_not_known() {
+    for distribution in [
+        r#"{"gaussian": {"roughness": 0.3}}"#,
+        r#"{"blinn": {"exponent": 30}}"#,
+        r#"{"mixture": [{"weight": 1, "distribution": {"ggx": {"roughness": 1}}},
+                         {"weight": 1, "distribution": {"blinn": {"exponent": 1}}}]}"#,
+    ] {
+        for shadowing in ["smith", "smith_separable"] {
+            let text = format!(
+                r#"{{"cook_torrance": {{"distribution": {distribution},
+                    "fresnel": {{"constant": 1}}, "shadowing": "{shadowing}"}}}}"#
+            );
+            assert_eq!(
+                model_error(&text),
+                "cook_torrance.shadowing: Smith's shadowing is known for beckmann, ggx and \
+                 mixtures of them; `v_cavity` fits every distribution"
+            );
+        }
+    }
+}
+
+#[cfg(feature = "materials")]
+#[test]
+fn unknown_metals_are_named() {
+    let error =
+        |text| serde_json::from_str::<FresnelDescription>(text).expect_err(text).to_string();
+    assert_eq!(
+        error(r#"{"metal": "unobtainium"}"#),
+        "metal: no material is called \"unobtainium\""
+    );
+    assert_eq!(
+        error(r#"{"metal": "water"}"#),
+        "metal: water is no metal; describe it as a dielectric by its index"
+    );
+}
+
+/// Formats that have numbers which JSON does not have.
+#[test]
+fn numbers_that_are_none_are_out_of_range() {
+    for (text, message) in [
+        ("lambert(albedo: NaN)", "lambert.albedo must be between 0.0 and 1.0, not NaN"),
+        ("lambert(albedo: [0, inf, 0])", "lambert.albedo must be between 0.0 and 1.0, not inf"),
+    ] {
+        let error = ron::from_str::<BrdfDescription>(text).expect_err(text);
+        assert!(error.to_string().contains(message), "{error}");
+    }
+}
+
+/// A description that was not read but made is checked when it is built, with the same answer.
+#[test]
+fn building_checks_too() {
+    let roughness = RoughnessDescription::Anisotropic([0.5, f64::NAN]);
+    let description = DistributionDescription::Ggx { roughness };
+    let error: DescriptionError = description.build::<f32>().err().expect("out of range");
+    assert_eq!(error.path(), "ggx.roughness[1]");
+    let Problem::Parameter(error) = error.problem() else { panic!("{error}") };
+    let _: &ParameterError = error;
+    assert_eq!(error.range(), (1e-8, 1e4));
+
+    let description = BrdfDescription::Lambert { albedo: ColorDescription::Gray(2.0) };
+    let error = description.build::<f64>().err().expect("out of range");
+    assert_eq!(error.to_string(), "lambert.albedo must be between 0.0 and 1.0, not 2.0");
+}
