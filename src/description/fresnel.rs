@@ -162,3 +162,17 @@ fn metal<T: Real>(name: &str) -> Result<Conductor<T::Vec3>, Problem> {
 fn metal<T: Real>(_: &str) -> Result<Conductor<T::Vec3>, Problem> {
     Err(Problem::Metal("metals by name need the feature `materials`".into()))
 }
+
+#[cfg(all(test, not(feature = "materials")))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn metals_need_their_feature() {
+        let error = FresnelDescription::Metal("Au".into()).build::<f32>().err();
+        assert_eq!(
+            error.map(|error| alloc::string::ToString::to_string(&error)).as_deref(),
+            Some("metal: metals by name need the feature `materials`")
+        );
+    }
+}

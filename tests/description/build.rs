@@ -116,7 +116,6 @@ fn fresnel_terms_are_those_of_the_types() {
     fresnel_terms::<f64>().expect("in range");
 }
 
-#[cfg(feature = "materials")]
 #[test]
 fn metals_are_measured() {
     let wavelengths = glam::DVec3::new(650.0, 550.0, 450.0);
@@ -133,7 +132,6 @@ fn metals_are_measured() {
 }
 
 /// Every material that is no dielectric can be named, by its key and by its name.
-#[cfg(feature = "materials")]
 #[test]
 fn every_metal_can_be_named() {
     use brdf::materials::{ALL, Kind};

@@ -196,7 +196,6 @@ fn smith_is_refused_where_it_is_not_known() {
     }
 }
 
-#[cfg(feature = "materials")]
 #[test]
 fn unknown_metals_are_named() {
     let error =
