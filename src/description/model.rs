@@ -23,7 +23,7 @@ pub(super) enum Model<T: Real> {
     CookTorrance(Shadowed<T>, Reflectance<T>),
     CookTorrance1982Printed(Beckmann<T>, Reflectance<T>),
     Blinn1977Printed(Blinn1977Form<T>, Reflectance<T>),
-    Sum(WeightedSum<Model<T>, T::Vec3, T>),
+    Sum(WeightedSum<Self, T::Vec3, T>),
 }
 
 /// A lobe without microfacets.

@@ -11,7 +11,7 @@ use crate::error::ParameterError;
 /// A value's place: the keys and indices that lead to it, linked on the stack.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place<'a> {
-    parent: Option<&'a Place<'a>>,
+    parent: Option<&'a Self>,
     step: Step,
     /// How many lists the value stands in.
     depth: usize,
