@@ -70,7 +70,7 @@ impl fmt::Display for ParameterError {
 }
 
 /// A number with an exponent where it would have many zeros without.
-struct Number(f64);
+pub(crate) struct Number(pub(crate) f64);
 
 impl fmt::Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -210,12 +210,12 @@ fn read<V: DeserializeOwned>(line: &[u8], key: &str, value: &RawValue) -> Result
 fn direction(line: &[u8], key: &str, value: &RawValue) -> Result<[f64; 3], String> {
     let [x, y, z]: [f64; 3] = read(line, key, value)?;
     let squared = x * x + y * y + z * z;
-    if (0.5..=2.0).contains(&squared) {
+    if (0.99..=1.01).contains(&squared) {
         Ok([x, y, z])
     } else {
         Err(format!(
-            "{key} must be a unit vector (squared length between 0.5 and 2), not of squared \
-             length {squared:?}"
+            "{key} must be a unit vector (squared length between 0.99 and 1.01), not of squared \
+             length {squared}"
         ))
     }
 }
@@ -224,7 +224,7 @@ fn uniform(line: &[u8], value: &RawValue) -> Result<[f64; 2], String> {
     let u: [f64; 2] = read(line, "u", value)?;
     match u.iter().enumerate().find(|(_, u)| !(0.0..1.0).contains(*u)) {
         None => Ok(u),
-        Some((index, u)) => Err(format!("u[{index}] must be at least 0 and below 1, not {u:?}")),
+        Some((index, u)) => Err(format!("u[{index}] must be at least 0 and below 1, not {u}")),
     }
 }
 
@@ -233,7 +233,7 @@ fn cosine(line: &[u8], value: &RawValue) -> Result<f64, String> {
     if (-1.0..=1.0).contains(&cos) {
         Ok(cos)
     } else {
-        Err(format!("cos must be between -1 and 1, not {cos:?}"))
+        Err(format!("cos must be between -1 and 1, not {cos}"))
     }
 }
 

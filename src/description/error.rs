@@ -5,7 +5,7 @@ use core::error::Error;
 use core::fmt;
 
 use super::{MAX_DEPTH, MAX_TERMS};
-use crate::error::ParameterError;
+use crate::error::{Number, ParameterError};
 
 /// A description of something that cannot be built: where, what, and what is allowed.
 ///
@@ -16,7 +16,7 @@ use crate::error::ParameterError;
 /// let error = serde_json::from_str::<BrdfDescription>(text).unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
-///     "sum[0].brdf.lambert.albedo must be between 0.0 and 1.0, not 1.5"
+///     "sum[0].brdf.lambert.albedo must be between 0 and 1, not 1.5"
 /// );
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -78,7 +78,8 @@ impl fmt::Display for Problem {
                     write!(f, "{} ", error.parameter())?;
                 }
                 let (lower, upper) = error.range();
-                write!(f, "must be between {lower:?} and {upper:?}, not {:?}", error.value())
+                let [lower, upper, value] = [lower, upper, error.value()].map(Number);
+                write!(f, "must be between {lower} and {upper}, not {value}")
             }
             Self::Metal(why) => f.write_str(why),
             Self::NoSmith => f.write_str(

@@ -47,7 +47,7 @@
 //! assert_eq!(
 //!     error(r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": -1}},
 //!                                 "fresnel": {"schlick": {"f0": 0.04}}}}"#),
-//!     "cook_torrance.distribution.ggx.roughness must be between 1e-8 and 10000.0, not -1.0"
+//!     "cook_torrance.distribution.ggx.roughness must be between 1e-8 and 10000, not -1"
 //! );
 //! assert_eq!(
 //!     error(r#"{"lambert": {"albedo": "white"}}"#),
