@@ -5,10 +5,9 @@ use alloc::vec::Vec;
 use super::AnyBrdf;
 use super::distribution::{DistributionDescription, Normals};
 use super::error::{DescriptionError, Problem};
-use super::form::{entrance, forms, part};
+use super::form::{entrance, forms, part, words};
 use super::fresnel::FresnelDescription;
 use super::model::{Blinn1977Form, Lobe, Model, Shadowed};
-use super::parse::{Parse, Word};
 use super::place::{Place, Record};
 use super::value::{ColorDescription, RoughnessDescription};
 use crate::diffuse::{Lambert, OrenNayar};
@@ -122,49 +121,6 @@ part! {
         /// The model.
         pub brdf: BrdfDescription,
     }
-}
-
-/// Declares an enum of bare words.
-macro_rules! words {
-    ($(#[$meta:meta])* pub enum $name:ident {
-        $( $(#[$word_meta:meta])* $word:literal => $variant:ident ),+ $(,)?
-    }) => {
-        $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-        #[non_exhaustive]
-        pub enum $name {
-            $( $(#[$word_meta])* #[serde(rename = $word)] $variant ),+
-        }
-
-        impl<'de> Parse<'de> for $name {
-            fn parse<D: serde::Deserializer<'de>>(
-                place: &Place<'_>,
-                from: D,
-            ) -> Result<Self, D::Error> {
-                const WORDS: &[&str] = &[$($word),+];
-                struct Words<'a>(&'a Place<'a>);
-                impl<'de> serde::de::Visitor<'de> for Words<'_> {
-                    type Value = $name;
-                    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                        f.write_str(concat!("one of", $( " `", $word, "`" ),+))
-                    }
-                    fn visit_enum<A: serde::de::EnumAccess<'de>>(
-                        self,
-                        word: A,
-                    ) -> Result<$name, A::Error> {
-                        let (word, content) =
-                            word.variant_seed(Word { place: self.0, words: WORDS })?;
-                        serde::de::VariantAccess::unit_variant(content)?;
-                        match word {
-                            $( $word => Ok($name::$variant), )+
-                            _ => Err(serde::de::Error::unknown_variant(word, WORDS)),
-                        }
-                    }
-                }
-                from.deserialize_enum(stringify!($name), WORDS, Words(place))
-            }
-        }
-    };
 }
 
 words! {

@@ -94,6 +94,52 @@ macro_rules! part {
     };
 }
 
+/// Declares an enum of bare words.
+macro_rules! words {
+    ($(#[$meta:meta])* pub enum $name:ident {
+        $( $(#[$word_meta:meta])* $word:literal => $variant:ident ),+ $(,)?
+    }) => {
+        $(#[$meta])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+        #[non_exhaustive]
+        pub enum $name {
+            $( $(#[$word_meta])* #[serde(rename = $word)] $variant ),+
+        }
+
+        impl<'de> $crate::description::parse::Parse<'de> for $name {
+            fn parse<D: serde::Deserializer<'de>>(
+                place: &$crate::description::place::Place<'_>,
+                from: D,
+            ) -> Result<Self, D::Error> {
+                const WORDS: &[&str] = &[$($word),+];
+                struct Words<'a>(&'a $crate::description::place::Place<'a>);
+                impl<'de> serde::de::Visitor<'de> for Words<'_> {
+                    type Value = $name;
+                    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                        f.write_str(concat!("one of", $( " `", $word, "`" ),+))
+                    }
+                    fn visit_enum<A: serde::de::EnumAccess<'de>>(
+                        self,
+                        word: A,
+                    ) -> Result<$name, A::Error> {
+                        let (word, content) =
+                            word.variant_seed($crate::description::parse::Word {
+                                place: self.0,
+                                words: WORDS,
+                            })?;
+                        serde::de::VariantAccess::unit_variant(content)?;
+                        match word {
+                            $( $word => Ok($name::$variant), )+
+                            _ => Err(serde::de::Error::unknown_variant(word, WORDS)),
+                        }
+                    }
+                }
+                from.deserialize_enum(stringify!($name), WORDS, Words(place))
+            }
+        }
+    };
+}
+
 /// What stands behind the name of a form: another value, or an object with keys.
 macro_rules! content {
     ($content:ident, $place:ident, [$($constructor:tt)+] ($inner:ty)) => {
@@ -166,4 +212,4 @@ macro_rules! entrance {
     };
 }
 
-pub(super) use {content, entrance, forms, given, keys, part};
+pub(super) use {content, entrance, forms, given, keys, part, words};

@@ -1,7 +1,7 @@
 //! Models as data: a scene file names a model and its parameters, and [`build`] makes the model.
 //!
 //! [`BrdfDescription`], [`FresnelDescription`] and [`DistributionDescription`] can be read from and
-//! written to every format of serde that names its keys: JSON, RON, CBOR, YAML, … They are
+//! written to every format of serde that names its keys: JSON, RON, CBOR, … They are
 //! externally tagged, in snake case. A colour C is `0.5` or `[r, g, b]`; a roughness R is `0.3` or
 //! `[along_x, along_y]`. Where a value is shown for a key, the key may be left out and has that
 //! value. Ranges are those of the type with the same name.

@@ -85,15 +85,18 @@ impl Visitor<'_> for Word<'_> {
 
     fn visit_str<E: Error>(self, found: &str) -> Result<&'static str, E> {
         self.words.iter().find(|word| **word == found).copied().ok_or_else(|| {
-            self.place.note_failure_at_word(beginning(found));
+            self.place.note_failure_at_word(&beginning(found));
             E::custom(format_args!("unknown name, expected {}", &self as &dyn serde::de::Expected))
         })
     }
 }
 
-/// As much of a text as an error message should repeat.
-fn beginning(text: &str) -> &str {
-    text.char_indices().nth(40).map_or(text, |(end, _)| &text[..end])
+/// As much of a text as an error message should repeat, longer than every name.
+fn beginning(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        None => text.into(),
+        Some((end, _)) => String::from(&text[..end]) + "…",
+    }
 }
 
 /// The value of a key, given once.
@@ -127,11 +130,9 @@ impl<'de> Parse<'de> for f64 {
             fn visit_f64<E>(self, value: f64) -> Result<f64, E> {
                 Ok(value)
             }
-            #[allow(clippy::cast_precision_loss, reason = "as for the same number with a point")]
             fn visit_u64<E>(self, value: u64) -> Result<f64, E> {
                 Ok(value as f64)
             }
-            #[allow(clippy::cast_precision_loss, reason = "as for the same number with a point")]
             fn visit_i64<E>(self, value: i64) -> Result<f64, E> {
                 Ok(value as f64)
             }
@@ -156,7 +157,7 @@ impl<'de> Parse<'de> for String {
                 f.write_str("a text")
             }
             fn visit_str<E>(self, value: &str) -> Result<String, E> {
-                Ok(beginning(value).into())
+                Ok(beginning(value))
             }
         }
         from.deserialize_str(Name)
@@ -180,11 +181,9 @@ impl<'de, const N: usize> Parse<'de> for Numbers<N> {
             fn visit_f64<E>(self, value: f64) -> Result<Self::Value, E> {
                 Ok(Numbers::One(value))
             }
-            #[allow(clippy::cast_precision_loss, reason = "as for the same number with a point")]
             fn visit_u64<E>(self, value: u64) -> Result<Self::Value, E> {
                 Ok(Numbers::One(value as f64))
             }
-            #[allow(clippy::cast_precision_loss, reason = "as for the same number with a point")]
             fn visit_i64<E>(self, value: i64) -> Result<Self::Value, E> {
                 Ok(Numbers::One(value as f64))
             }
