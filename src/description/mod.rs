@@ -56,6 +56,9 @@
 //! );
 //! ```
 //!
+//! Numbers are as exact as the format: `serde_json` reads every `f64` that it has written with its
+//! feature `float_roundtrip`, and without it may be one unit in the last place off.
+//!
 //! # Bounds
 //! At most [`MAX_DEPTH`] sums and mixtures stand inside each other, and all of them together have
 //! at most [`MAX_TERMS`] terms; a description beyond that is an error before it is read further.

@@ -2,7 +2,11 @@
 
 use std::fmt::Debug;
 
-use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescription};
+use brdf::description::{
+    BrdfDescription, ColorDescription, DistributionDescription, FresnelDescription,
+    RoughnessDescription, ShadowingDescription, WeightedBrdf, WeightedDistribution,
+};
+use proptest::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
@@ -72,6 +76,70 @@ pub(crate) fn models() -> Vec<String> {
         }
     }
     models
+}
+
+fn color() -> impl Strategy<Value = ColorDescription> {
+    let channel = 0.0..=1.0_f64;
+    prop_oneof![
+        channel.clone().prop_map(ColorDescription::Gray),
+        [channel.clone(), channel.clone(), channel].prop_map(ColorDescription::Rgb),
+    ]
+}
+
+fn distribution() -> impl Strategy<Value = DistributionDescription> {
+    let number = (-8.0..4.0_f64).prop_map(|power| 10.0_f64.powf(power));
+    let roughness = prop_oneof![
+        number.clone().prop_map(RoughnessDescription::Isotropic),
+        [number.clone(), number.clone()].prop_map(RoughnessDescription::Anisotropic),
+    ];
+    let beckmann = roughness.clone();
+    let beckmann = beckmann.prop_map(|roughness| DistributionDescription::Beckmann { roughness });
+    let leaf = prop_oneof![
+        number.clone().prop_map(|roughness| DistributionDescription::Gaussian { roughness }),
+        number.clone().prop_map(|exponent| DistributionDescription::Blinn { exponent }),
+        roughness.prop_map(|roughness| DistributionDescription::Ggx { roughness }),
+        beckmann,
+    ];
+    leaf.prop_recursive(3, 20, 3, move |inner| {
+        let term = (number.clone(), inner)
+            .prop_map(|(weight, distribution)| WeightedDistribution { weight, distribution });
+        proptest::collection::vec(term, 1..4).prop_map(DistributionDescription::Mixture)
+    })
+}
+
+fn any_model() -> impl Strategy<Value = BrdfDescription> {
+    let leaf = prop_oneof![
+        color().prop_map(|albedo| BrdfDescription::Lambert { albedo }),
+        (color(), 0.0..1e8_f64, any::<bool>()).prop_map(|(specular, exponent, normalized)| {
+            BrdfDescription::Phong { specular, exponent, normalized }
+        }),
+        (distribution(), color()).prop_map(|(distribution, f0)| BrdfDescription::CookTorrance {
+            distribution,
+            fresnel: FresnelDescription::Hall { f0, ior: 1.5 },
+            shadowing: ShadowingDescription::VCavity,
+        }),
+    ];
+    leaf.prop_recursive(3, 20, 3, |inner| {
+        // Black weights of all terms would be an error.
+        let term = (0.1..=1.0_f64, inner).prop_map(|(weight, brdf)| WeightedBrdf {
+            weight: ColorDescription::Gray(weight),
+            brdf,
+        });
+        proptest::collection::vec(term, 1..4).prop_map(BrdfDescription::Sum)
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// To the last bit of every number.
+    #[test]
+    fn any_model_goes_round(model in any_model()) {
+        goes_round::<BrdfDescription>(&serde_json::to_string(&model).expect("JSON"));
+        let read: BrdfDescription =
+            serde_json::from_str(&serde_json::to_string(&model).expect("JSON")).expect("in range");
+        prop_assert_eq!(read, model);
+    }
 }
 
 fn goes_round<V: Serialize + DeserializeOwned + PartialEq + Debug>(text: &str) {
