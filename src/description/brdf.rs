@@ -3,11 +3,12 @@
 use alloc::vec::Vec;
 
 use super::AnyBrdf;
-use super::distribution::{DistributionDescription, Normals};
+use super::distribution::DistributionDescription;
 use super::error::{DescriptionError, Problem};
 use super::form::{entrance, forms, part, words};
 use super::fresnel::FresnelDescription;
 use super::model::{Blinn1977Form, Lobe, Model, Shadowed};
+use super::normals::Normals;
 use super::place::{Place, Record};
 use super::value::{ColorDescription, RoughnessDescription};
 use crate::diffuse::{Lambert, OrenNayar};

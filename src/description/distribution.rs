@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::AnyDistribution;
 use super::error::DescriptionError;
 use super::form::{entrance, forms, part};
-use super::mixed::{Mixed, MixedSmith};
+use super::normals::{Mixed, Normals, SmithNormals, each_distribution};
 use super::place::{Place, Record};
 use super::value::RoughnessDescription;
 use crate::error::{ParameterError, range};
@@ -63,48 +63,6 @@ part! {
         pub distribution: DistributionDescription,
     }
 }
-
-/// A checked distribution.
-pub(super) enum Normals<T: Real> {
-    Gaussian(Gaussian<T>),
-    Blinn(Blinn<T>),
-    Mixed(Mixed<T>),
-    Smith(SmithNormals<T>),
-}
-
-/// A checked distribution for which Smith's shadowing is known.
-pub(super) enum SmithNormals<T: Real> {
-    Beckmann(Beckmann<T>),
-    Ggx(Ggx<T>),
-    Mixed(MixedSmith<T>),
-}
-
-/// The same expression for every type of distribution with Smith's shadowing.
-macro_rules! each_smith {
-    ($normals:expr, $distribution:ident => $result:expr) => {
-        match $normals {
-            $crate::description::distribution::SmithNormals::Beckmann($distribution) => $result,
-            $crate::description::distribution::SmithNormals::Ggx($distribution) => $result,
-            $crate::description::distribution::SmithNormals::Mixed($distribution) => $result,
-        }
-    };
-}
-pub(super) use each_smith;
-
-/// The same expression for every type of distribution.
-macro_rules! each_distribution {
-    ($normals:expr, $distribution:ident => $result:expr) => {
-        match $normals {
-            $crate::description::distribution::Normals::Gaussian($distribution) => $result,
-            $crate::description::distribution::Normals::Blinn($distribution) => $result,
-            $crate::description::distribution::Normals::Mixed($distribution) => $result,
-            $crate::description::distribution::Normals::Smith(normals) => {
-                $crate::description::distribution::each_smith!(normals, $distribution => $result)
-            }
-        }
-    };
-}
-pub(super) use each_distribution;
 
 impl DistributionDescription {
     /// The distribution in a number of choice.

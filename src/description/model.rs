@@ -4,8 +4,8 @@
 use alloc::boxed::Box;
 
 use super::AnyBrdf;
-use super::distribution::{Normals, SmithNormals, each_distribution, each_smith};
 use super::fresnel::{Reflectance, each_fresnel};
+use super::normals::{Normals, SmithNormals, each_distribution, each_smith};
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{

@@ -85,3 +85,12 @@ pub fn find(name: &str) -> Result<&'static Material, LookupError> {
 fn plain(name: &str) -> &str {
     name.split(['(', ',']).next().unwrap_or(name).trim_end()
 }
+
+impl Material {
+    /// Other sets of the same element.
+    pub fn alternatives(&self) -> impl Iterator<Item = &'static Self> {
+        let (key, symbol) = (self.key(), self.symbol());
+        ALL.into_iter()
+            .filter(move |other| symbol.is_some() && other.symbol() == symbol && other.key() != key)
+    }
+}

@@ -3,8 +3,7 @@
 use core::fmt;
 use core::ops::RangeInclusive;
 
-use super::samples::Samples;
-use super::sets::ALL;
+use super::samples::{RefractiveIndex, Sample, Samples};
 use crate::error::ParameterError;
 use crate::fresnel::Conductor;
 use crate::real::{Color, Real};
@@ -48,24 +47,6 @@ pub enum Form {
     Table,
     /// A dispersion formula: the samples are its values every 5 nm.
     Formula,
-}
-
-/// A complex refractive index n + ik, or the indices of several wavelengths.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RefractiveIndex<C = f64> {
-    /// Real part n.
-    pub eta: C,
-    /// Imaginary part k, the extinction coefficient, zero or positive.
-    pub k: C,
-}
-
-/// The index at one wavelength.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// Wavelength in nanometres.
-    pub wavelength: f64,
-    /// Index there.
-    pub index: RefractiveIndex,
 }
 
 /// A measured material: a table of its index, and where that comes from.
@@ -154,13 +135,6 @@ impl Material {
     /// The samples, by increasing wavelength.
     pub fn samples(&self) -> impl ExactSizeIterator<Item = Sample> + DoubleEndedIterator {
         self.samples.iter()
-    }
-
-    /// Other sets of the same element.
-    pub fn alternatives(&self) -> impl Iterator<Item = &'static Self> {
-        let (key, symbol) = (self.key, self.symbol());
-        ALL.into_iter()
-            .filter(move |other| symbol.is_some() && other.symbol() == symbol && other.key != key)
     }
 
     /// The index at a wavelength in nanometres, or at several: one for each channel of a colour.

@@ -53,5 +53,6 @@ mod samples;
 mod sets;
 
 pub use lookup::{LookupError, find};
-pub use material::{Form, Kind, Material, RefractiveIndex, Sample};
+pub use material::{Form, Kind, Material};
+pub use samples::{RefractiveIndex, Sample};
 pub use sets::*;

@@ -1,6 +1,22 @@
 //! The samples of a set, as short as they can be without loss.
 
-use super::material::{RefractiveIndex, Sample};
+/// A complex refractive index n + ik, or the indices of several wavelengths.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RefractiveIndex<C = f64> {
+    /// Real part n.
+    pub eta: C,
+    /// Imaginary part k, the extinction coefficient, zero or positive.
+    pub k: C,
+}
+
+/// The index at one wavelength.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Wavelength in nanometres.
+    pub wavelength: f64,
+    /// Index there.
+    pub index: RefractiveIndex,
+}
 
 /// Samples in the order of their wavelengths, ten bytes each: wavelength in three, n in four, k in
 /// three.

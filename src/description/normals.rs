@@ -1,14 +1,55 @@
-//! Mixtures of any number of distributions of any kind.
+//! Checked distributions, and mixtures of any number of any kind.
 //!
-//! The terms are sorted by their type, so that no term needs a dispatch: each type has a loop of
+//! The terms of a mixture are sorted by their type, so that no term needs a dispatch: each type has a loop of
 //! its own. A mixture in a mixture is taken apart into its terms.
 
 use alloc::vec::Vec;
 
-use super::distribution::{Normals, SmithNormals};
 use crate::microfacet::mixture::{Choice, Visible};
 use crate::microfacet::{Beckmann, Blinn, Distribution, Gaussian, Ggx, Smith};
 use crate::real::Real;
+
+/// A checked distribution.
+pub(super) enum Normals<T: Real> {
+    Gaussian(Gaussian<T>),
+    Blinn(Blinn<T>),
+    Mixed(Mixed<T>),
+    Smith(SmithNormals<T>),
+}
+
+/// A checked distribution for which Smith's shadowing is known.
+pub(super) enum SmithNormals<T: Real> {
+    Beckmann(Beckmann<T>),
+    Ggx(Ggx<T>),
+    Mixed(MixedSmith<T>),
+}
+
+/// The same expression for every type of distribution with Smith's shadowing.
+macro_rules! each_smith {
+    ($normals:expr, $distribution:ident => $result:expr) => {
+        match $normals {
+            $crate::description::normals::SmithNormals::Beckmann($distribution) => $result,
+            $crate::description::normals::SmithNormals::Ggx($distribution) => $result,
+            $crate::description::normals::SmithNormals::Mixed($distribution) => $result,
+        }
+    };
+}
+pub(super) use each_smith;
+
+/// The same expression for every type of distribution.
+macro_rules! each_distribution {
+    ($normals:expr, $distribution:ident => $result:expr) => {
+        match $normals {
+            $crate::description::normals::Normals::Gaussian($distribution) => $result,
+            $crate::description::normals::Normals::Blinn($distribution) => $result,
+            $crate::description::normals::Normals::Mixed($distribution) => $result,
+            $crate::description::normals::Normals::Smith(normals) => {
+                $crate::description::normals::each_smith!(normals, $distribution => $result)
+            }
+        }
+    };
+}
+pub(super) use each_distribution;
 
 /// Distributions of one type with their weights.
 type Terms<T, D> = Vec<(T, D)>;
