@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-use super::AnyBrdf;
+use super::any::AnyBrdf;
 use super::distribution::DistributionDescription;
 use super::error::{DescriptionError, Problem};
 use super::form::{entrance, forms, part, words};

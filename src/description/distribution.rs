@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-use super::AnyDistribution;
+use super::any::AnyDistribution;
 use super::error::DescriptionError;
 use super::form::{entrance, forms, part};
 use super::normals::{Mixed, Normals, SmithNormals, each_distribution};

@@ -4,7 +4,7 @@ use alloc::string::String;
 use core::error::Error;
 use core::fmt;
 
-use super::{MAX_DEPTH, MAX_TERMS};
+use super::bounds::{MAX_DEPTH, MAX_TERMS};
 use crate::error::{Number, ParameterError};
 
 /// A description of something that cannot be built: where, what, and what is allowed.

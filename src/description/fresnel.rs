@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 use alloc::string::String;
 
-use super::AnyFresnel;
+use super::any::AnyFresnel;
 use super::error::{DescriptionError, Problem};
 use super::form::{entrance, forms};
 use super::place::{Place, Record};

@@ -72,6 +72,8 @@
 //!
 //! [`build`]: BrdfDescription::build
 
+mod any;
+mod bounds;
 mod brdf;
 mod distribution;
 mod error;
@@ -83,30 +85,10 @@ mod parse;
 mod place;
 mod value;
 
-use alloc::boxed::Box;
-
-use crate::brdf::Brdf;
-use crate::fresnel::Fresnel;
-use crate::microfacet::Distribution;
-use crate::real::Real;
-
 pub use self::brdf::{Blinn1977Description, BrdfDescription, ShadowingDescription, WeightedBrdf};
+pub use any::{AnyBrdf, AnyDistribution, AnyFresnel};
+pub use bounds::{MAX_DEPTH, MAX_TERMS};
 pub use distribution::{DistributionDescription, WeightedDistribution};
 pub use error::{DescriptionError, Problem};
 pub use fresnel::FresnelDescription;
 pub use value::{ColorDescription, RoughnessDescription};
-
-/// How many sums and mixtures may stand inside each other.
-pub const MAX_DEPTH: usize = 32;
-
-/// How many terms all sums and mixtures of a description may have together.
-pub const MAX_TERMS: usize = 1024;
-
-/// A model whose type is known only at run time.
-pub type AnyBrdf<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
-
-/// A Fresnel term whose type is known only at run time.
-pub type AnyFresnel<T> = Box<dyn Fresnel<T, Color = <T as Real>::Vec3>>;
-
-/// A distribution whose type is known only at run time.
-pub type AnyDistribution<T> = Box<dyn Distribution<T>>;

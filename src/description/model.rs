@@ -3,7 +3,7 @@
 
 use alloc::boxed::Box;
 
-use super::AnyBrdf;
+use super::any::AnyBrdf;
 use super::fresnel::{Reflectance, each_fresnel};
 use super::normals::{Normals, SmithNormals, each_distribution, each_smith};
 use crate::diffuse::{Lambert, OrenNayar};

@@ -4,8 +4,8 @@ use alloc::string::{String, ToString};
 use core::cell::{Cell, RefCell};
 use core::fmt;
 
+use super::bounds::{MAX_DEPTH, MAX_TERMS};
 use super::error::{DescriptionError, Problem};
-use super::{MAX_DEPTH, MAX_TERMS};
 use crate::error::ParameterError;
 
 /// A value's place: the keys and indices that lead to it, linked on the stack.

@@ -1,0 +1,7 @@
+//! What keeps a description from an unknown source small.
+
+/// How many sums and mixtures may stand inside each other.
+pub const MAX_DEPTH: usize = 32;
+
+/// How many terms all sums and mixtures of a description may have together.
+pub const MAX_TERMS: usize = 1024;
