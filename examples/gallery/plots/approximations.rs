@@ -2,27 +2,30 @@
 
 use std::error::Error;
 
-use brdf::{Brdf, Conductor, Dielectric, Fresnel, Hall, Phong, Schlick, SchlickPower};
+use brdf::{
+    BlinnPhong, Brdf, Conductor, Dielectric, Fresnel, Hall, Phong, Schlick, SchlickPower,
+    from_spherical,
+};
 use glam::DVec3;
 use plotters::style::text_anchor::{HPos, VPos};
 
 use super::cartesian::{Axis, Mark, Plot};
 use super::figure::{Curve, Figure, Panel};
 use super::metals::{COPPER, GOLD, SILVER};
-use super::style::PENS;
+use super::style::{BLUE, Dash, GREEN, INK, PENS, Pen, SHORT, VERMILION};
 
 const SECTION: &str = "Approximations";
 const ANGLE: &str = "angle of incidence θ / °";
 const RIGHT_ANGLE: (f64, f64) = (0.0, 90.0);
 
-/// Schlick's reflectance minus the exact one in hundredths, over the angle in degrees.
+/// Schlick's reflectance minus the exact one, over the angle in degrees.
 fn schlick_error(
     exact: impl Fresnel<f64, Color = f64>,
 ) -> Result<impl Fn(f64) -> f64, Box<dyn Error>> {
     let schlick = Schlick::new(exact.reflectance(1.0))?;
     Ok(move |degrees: f64| {
         let cos = degrees.to_radians().cos();
-        100.0 * (schlick.reflectance(cos) - exact.reflectance(cos))
+        schlick.reflectance(cos) - exact.reflectance(cos)
     })
 }
 
@@ -31,39 +34,34 @@ fn largest(curve: &Curve) -> (f64, f64) {
     if high.1 > -low.1 { high } else { low }
 }
 
-fn error_figure(
-    name: &'static str,
-    what: &str,
-    bound: f64,
-    step: f64,
-    curves: Vec<Curve>,
-) -> Figure {
-    let mut caption = "Reflectance after Schlick, from the exact value at normal incidence, minus \
-        the exact reflectance, in percent of the incident light. Largest differences: "
-        .to_owned();
-    let list: Vec<String> = curves
-        .iter()
-        .map(|curve| {
-            let (x, y) = largest(curve);
-            format!("{}: {y:+.2} % at {x:.0}°", curve.label)
-        })
-        .collect();
-    caption += &list.join("; ");
-    caption += ".";
+fn error_figure(name: &'static str, what: &str, y: Axis, mut curves: Vec<Curve>) -> Figure {
+    let marks = curves.iter().map(|curve| Mark::Point {
+        at: largest(curve),
+        label: String::new(),
+        side: (HPos::Center, VPos::Bottom),
+    });
+    let marks = marks.chain([Mark::Horizontal { y: 0.0 }]).collect();
+    for curve in &mut curves {
+        let (angle, error) = largest(curve);
+        curve.label += &format!(": {error:+.4} at {angle:.1}°");
+    }
     let plot = Plot {
         heading: "difference of reflectances".into(),
         x: Axis::degrees(ANGLE),
-        y: Axis::new("Schlick − exact / %", -bound, bound, step),
+        y,
         curves,
-        marks: vec![Mark::Horizontal { y: 0.0 }],
+        marks,
     };
     Figure {
         name,
         section: SECTION,
-        title: format!("Schlick's approximation for {what}"),
-        caption,
-        height: 400.0,
-        columns: 3,
+        title: format!("Error of Schlick's approximation for {what}"),
+        caption: "Reflectance after Schlick, from the exact value at normal incidence, minus the exact \
+            reflectance: a difference of reflectances, not a relative one. Dots and legend give the \
+            largest."
+            .into(),
+        height: 420.0,
+        columns: 2,
         panels: vec![Panel::Plot(plot)],
     }
 }
@@ -74,7 +72,8 @@ pub(super) fn schlick_dielectric() -> Result<Figure, Box<dyn Error>> {
         let error = schlick_error(Dielectric::new(n)?)?;
         curves.push(Curve::new(format!("n = {n}"), pen, RIGHT_ANGLE, error));
     }
-    Ok(error_figure("schlick-dielectric", "transparent media", 25.0, 5.0, curves))
+    let y = Axis::new("Schlick − exact", -0.05, 0.25, 0.05);
+    Ok(error_figure("schlick-dielectric", "transparent media", y, curves))
 }
 
 pub(super) fn schlick_metal() -> Result<Figure, Box<dyn Error>> {
@@ -85,7 +84,8 @@ pub(super) fn schlick_metal() -> Result<Figure, Box<dyn Error>> {
         let error = schlick_error(Conductor::new(eta, k)?)?;
         curves.push(Curve::new(format!("{} {wavelength} nm", metal.name), pen, RIGHT_ANGLE, error));
     }
-    Ok(error_figure("schlick-metal", "metals", 5.0, 1.0, curves))
+    let y = Axis::new("Schlick − exact", -0.02, 0.05, 0.01);
+    Ok(error_figure("schlick-metal", "metals", y, curves))
 }
 
 /// Copper's blue after Hall, driven by copper's own red and by glass, against the exact curve.
@@ -119,7 +119,7 @@ pub(super) fn copper() -> Result<Figure, Box<dyn Error>> {
         title: "Interpolating the colour of copper".into(),
         caption: "Hall's interpolation (and Cook's, divided by the colour of the light) turns the \
             colour at normal incidence white along an exact curve of reference. The maximum in the \
-            formula cuts off the dip that the exact curve has before grazing."
+            formula cuts off the dip that the reference, copper at 550 nm, has before grazing."
             .into(),
         height: 400.0,
         columns: 2,
@@ -131,54 +131,50 @@ pub(super) fn copper() -> Result<Figure, Box<dyn Error>> {
 pub(super) fn powers() -> Result<Figure, Box<dyn Error>> {
     let mut half_angle = Vec::new();
     let mut rational = Vec::new();
-    let range = (0.0, 90.0);
-    for (index, h) in [2.0, 10.0, 50.0].into_iter().enumerate() {
-        let pen = |part: usize| PENS[2 * index + part];
-        // At normal incidence the lobes of the models are these functions of the mirror angle.
+    // At normal incidence the lobes are functions of the angle to the mirror direction.
+    let lobe = |model: &dyn Brdf<f64, Color = f64>, label: String, pen| {
+        let peak = model.eval(DVec3::Z, DVec3::Z);
+        Curve::new(label, pen, RIGHT_ANGLE, |degrees| {
+            model.eval(from_spherical(degrees.to_radians(), 0.0), DVec3::Z) / peak
+        })
+    };
+    for (h, color) in [(2.0, BLUE), (10.0, VERMILION), (50.0, GREEN)] {
+        // Both broken lines look alike for every exponent: one name is enough.
+        let name = |formula: &str| if color == GREEN { formula.into() } else { String::new() };
+        let (half, quotient) = (name("cos⁴ʰ(β/2)"), name("S/(h − hS + S)"));
+        let (exact, instead) = (Pen { color, dash: Dash::Solid }, Pen { color: INK, dash: SHORT });
         let phong = Phong::new(1.0, h)?;
-        let power = move |degrees: f64| {
-            let w = brdf::from_spherical(degrees.to_radians(), 0.0);
-            Brdf::<f64>::eval(&phong, w, DVec3::Z) / Brdf::<f64>::eval(&phong, DVec3::Z, DVec3::Z)
-        };
+        let blinn = BlinnPhong::unnormalized(1.0, 4.0 * h)?;
         let schlick = SchlickPower::unnormalized(1.0, h)?;
-        let replaced = move |degrees: f64| {
-            let w = brdf::from_spherical(degrees.to_radians(), 0.0);
-            Brdf::<f64>::eval(&schlick, w, DVec3::Z)
-        };
-        let half = move |degrees: f64| (degrees.to_radians() / 2.0).cos().powf(4.0 * h);
-        half_angle.push(Curve::new(format!("cosʰ β, h = {h}"), pen(0), range, power));
-        half_angle.push(Curve::new("cos⁴ʰ(β/2)", pen(1), range, half));
-        rational.push(Curve::new(format!("Sʰ, h = {h}"), pen(0), range, power));
-        rational.push(Curve::new("S/(h − hS + S)", pen(1), range, replaced));
+        let power = format!("cosʰβ, h = {h}");
+        half_angle.push(lobe(&phong, power.clone(), exact));
+        half_angle.push(lobe(&blinn, half, instead));
+        rational.push(lobe(&phong, power, exact));
+        rational.push(lobe(&schlick, quotient, instead));
     }
-    let panel = |heading: &str, label, curves| {
+    let panel = |heading: &str, curves| {
         Panel::Plot(Plot {
             heading: heading.into(),
-            x: Axis::degrees(label),
-            y: Axis::new("relative to the peak", 0.0, 1.0, 0.2),
+            x: Axis::degrees("angle to the mirror direction β / °"),
+            y: Axis::new("value over that at the peak", 0.0, 1.0, 0.2),
             curves,
-            marks: vec![Mark::Point {
-                at: (0.0, 1.0),
-                label: String::new(),
-                side: (HPos::Left, VPos::Bottom),
-            }],
+            marks: vec![],
         })
     };
     Ok(Figure {
         name: "powers",
         section: SECTION,
         title: "Two stand-ins for a power of the cosine".into(),
-        caption:
-            "Left: in the plane of incidence the angle between N and H is half of β, the angle \
+        caption: "Left: in the plane of incidence the angle between N and H is half of β, the angle \
             between R and V, so that Phong's lobe of exponent h is nearly Blinn's of exponent 4h. \
-            Right: Schlick's rational form, S = cosβ; same value and slope at the peak, a heavier \
-            tail."
-                .into(),
+            Right: Schlick's rational form, S = cosβ, with the same value and slope in S at the peak \
+            but a heavier tail."
+            .into(),
         height: 420.0,
         columns: 2,
         panels: vec![
-            panel("half the angle, four times the exponent", "β / °", half_angle),
-            panel("a quotient for the power", "β / °", rational),
+            panel("half the angle, four times the exponent", half_angle),
+            panel("a quotient for the power", rational),
         ],
     })
 }

@@ -49,14 +49,9 @@ impl Axis {
         }
     }
 
-    fn ticks(&self) -> Vec<f64> {
-        let count = ((self.to - self.from) / self.step + 1e-9).floor();
-        let mut ticks = vec![self.from];
-        while ticks.len() <= 50 && f64::from(u8::try_from(ticks.len()).unwrap_or(50)) <= count {
-            let index = u8::try_from(ticks.len()).unwrap_or(50);
-            ticks.push(self.from + self.step * f64::from(index));
-        }
-        ticks
+    fn ticks(&self) -> impl Iterator<Item = f64> {
+        let tick = |index: u8| self.from + self.step * f64::from(index);
+        (0..50).map(tick).take_while(|tick| *tick < self.to + 1e-6 * self.step)
     }
 
     fn tick_label(&self, tick: f64) -> String {
@@ -169,7 +164,8 @@ impl Frame<'_> {
 
     /// The parts of a curve between the lower and the upper end of the plot.
     fn visible_pieces(&self, points: &[(f64, f64)]) -> Vec<Vec<(i32, i32)>> {
-        let inside = |y: f64| (0.0..=1.0).contains(&y);
+        // What rounding puts beyond an end lies on it.
+        let inside = |y: f64| (-1e-9..=1.0 + 1e-9).contains(&y);
         let mut pieces = vec![Vec::new()];
         let fractions: Vec<_> = points.iter().map(|&point| self.fraction(point)).collect();
         for (index, &here) in fractions.iter().enumerate() {
@@ -208,7 +204,9 @@ impl Frame<'_> {
             let at = (left - px(8.0), y);
             area.draw(&Text::new(plot.y.tick_label(tick), at, text(HPos::Right, VPos::Center)))?;
         }
-        area.draw(&Rectangle::new([(left, top), (right, bottom)], stroke(INK, 1.2)))?;
+        // The SVG backend draws rectangles with hairlines.
+        let frame = vec![(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+        area.draw(&PathElement::new(frame, stroke(INK, 1.2)))?;
         let below = ((left + right) / 2, bottom + px(44.0));
         area.draw(&Text::new(plot.x.label, below, text(HPos::Center, VPos::Center)))?;
         let upwards = letters(LETTERS, INK).transform(FontTransform::Rotate270);

@@ -1,13 +1,12 @@
-//! Brightness of spheres, and energy.
+//! Brightness of rough diffuse spheres.
 
 use std::error::Error;
+use std::f64::consts::{FRAC_PI_4, PI};
 
-use brdf::{
-    Beckmann, BlinnPhong, Brdf, ClassicPhong, Constant, CookTorrance, CookTorrance1982Printed, Ggx,
-    Lambert, OrenNayar, Phong, SchlickPower, SmithCorrelated, from_spherical,
-};
+use brdf::{Brdf, Lambert, OrenNayar, from_spherical};
+use glam::DVec3;
 
-use super::cartesian::{Axis, Mark, Plot};
+use super::cartesian::{Axis, Plot};
 use super::figure::{Curve, Figure, Panel};
 use super::style::PENS;
 
@@ -31,11 +30,32 @@ pub(super) fn full_moon() -> Result<Figure, Box<dyn Error>> {
             Curve::new(name.clone(), pen, (-1.0, 1.0), |x| radiance(model, x) / center)
         })
         .collect();
-    let plot = Plot {
+    let disc = Plot {
         heading: "light from behind the viewer".into(),
-        x: Axis::new("distance from the centre of the disc / radius", -1.0, 1.0, 0.5),
+        x: Axis::new("distance from the centre / radius", -1.0, 1.0, 0.5),
         y: Axis::new("radiance over that at the centre", 0.0, 1.0, 0.2),
         curves,
+        marks: vec![],
+    };
+    // With both directions at one angle θ on the same side π f = A + B sinθ tanθ.
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    for step in 0..=150_u8 {
+        let sigma = f64::from(step) / 100.0;
+        let model = OrenNayar::new(1.0, sigma)?;
+        let w: DVec3 = from_spherical(FRAC_PI_4, 0.0);
+        let constant: f64 = PI * model.eval(DVec3::Z, DVec3::Z);
+        let slanted: f64 = PI * model.eval(w, w);
+        a.push((sigma, constant));
+        b.push((sigma, (slanted - constant) / (FRAC_PI_4.sin() * FRAC_PI_4.tan())));
+    }
+    let constants = Plot {
+        heading: "the two constants".into(),
+        x: Axis::new("σ / rad", 0.0, 1.5, 0.5),
+        y: Axis::new("A, B", 0.0, 1.0, 0.2),
+        curves: vec![
+            Curve { label: "A".into(), pen: PENS[0], points: a },
+            Curve { label: "B".into(), pen: PENS[1], points: b },
+        ],
         marks: vec![],
     };
     Ok(Figure {
@@ -43,70 +63,11 @@ pub(super) fn full_moon() -> Result<Figure, Box<dyn Error>> {
         section: "Diffuse",
         title: "The disc of a full moon: Oren–Nayar against Lambert".into(),
         caption:
-            "Radiance across a sphere. σ = 0 is Lambert exactly; roughness flattens the disc, \
-            as the moon's is flat."
+            "Left: radiance across a sphere. σ = 0 is Lambert exactly; roughness flattens the disc, \
+            as the moon's is flat. Right: A and B of f = ρ/π (A + B max(0, cosΔφ) sinα tanβ)."
                 .into(),
         height: 420.0,
-        columns: 2,
-        panels: vec![Panel::Plot(plot)],
-    })
-}
-
-/// Which models reflect more than they receive.
-pub(super) fn albedo() -> Result<Figure, Box<dyn Error>> {
-    let white = || Constant::new(1.0);
-    let conserving: Vec<(&str, Model)> = vec![
-        ("Lambert", Box::new(Lambert::new(1.0)?)),
-        ("Phong, n = 10", Box::new(Phong::new(1.0, 10.0)?)),
-        ("Blinn–Phong, n = 10", Box::new(BlinnPhong::new(1.0, 10.0)?)),
-        ("Schlick's power, h = 10", Box::new(SchlickPower::new(1.0, 10.0)?)),
-        ("Beckmann, m = 0.5, V-cavity", Box::new(CookTorrance::new(Beckmann::new(0.5)?, white()?))),
-        (
-            "GGX, α = 0.5, Smith",
-            Box::new(CookTorrance::new(Ggx::new(0.5)?, white()?).with_shadowing(SmithCorrelated)),
-        ),
-    ];
-    let others: Vec<(&str, Model)> = vec![
-        ("Cook–Torrance as printed, m = 0.1", {
-            Box::new(CookTorrance1982Printed::new(Beckmann::new(0.1)?, white()?))
-        }),
-        ("classic Phong, n = 3", Box::new(ClassicPhong::new(1.0, 3.0)?)),
-        ("unnormalised Blinn–Phong, n = 5", Box::new(BlinnPhong::unnormalized(1.0, 5.0)?)),
-        ("Oren–Nayar, σ = 0.3", Box::new(OrenNayar::new(1.0, 0.3)?)),
-    ];
-    let over_angle = |list: &[(&str, Model)]| {
-        let curve = |((name, model), pen): (&(&str, Model), _)| {
-            // Albedos are integrals: a point every two degrees.
-            let albedo = |step: u32| {
-                let degrees = f64::from(step) * 89.9 / 45.0;
-                (degrees, model.albedo(from_spherical(degrees.to_radians(), 0.0)))
-            };
-            Curve { label: (*name).into(), pen, points: (0..=45).map(albedo).collect() }
-        };
-        list.iter().zip(PENS).map(curve).collect::<Vec<_>>()
-    };
-    let panel = |heading: &str, y, curves| {
-        Panel::Plot(Plot {
-            heading: heading.into(),
-            x: Axis::degrees("angle of the viewer / °"),
-            y,
-            curves,
-            marks: vec![Mark::Horizontal { y: 1.0 }],
-        })
-    };
-    Ok(Figure {
-        name: "albedo",
-        section: "Energy",
-        title: "Directional albedo, colour 1".into(),
-        caption: "What part of the light leaves. Left: models that never reflect more than they \
-            receive; what microfacets lack is light that reflects more than once. Right: models that \
-            do reflect more."
-            .into(),
-        height: 420.0,
         columns: 1,
-        panels: vec![
-            panel("conserving", Axis::new("albedo", 0.0, 1.2, 0.2), over_angle(&conserving)),
-            panel("not conserving", Axis::new("albedo", 0.0, 4.5, 0.5), over_angle(&others)),
-        ],
+        panels: vec![Panel::Plot(disc), Panel::Plot(constants)],
     })
 }

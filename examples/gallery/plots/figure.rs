@@ -81,7 +81,7 @@ impl Panel {
     }
 }
 
-/// A picture of one or two panels.
+/// A picture of panels side by side.
 pub(super) struct Figure {
     /// Name of the file without its ending.
     pub(super) name: &'static str,
@@ -90,7 +90,7 @@ pub(super) struct Figure {
     pub(super) caption: String,
     /// Height of the panels in pixels, without legend.
     pub(super) height: f64,
-    /// Columns of a legend.
+    /// Columns of a legend. Panels whose curves are called alike share one.
     pub(super) columns: usize,
     pub(super) panels: Vec<Panel>,
 }
@@ -98,11 +98,10 @@ pub(super) struct Figure {
 impl Figure {
     /// Writes the figure into the folder.
     pub(super) fn write(self, folder: &Path) -> Result<Picture, Box<dyn Error>> {
-        let rows = |panel: &Panel| panel.curves().iter().filter(|c| !c.label.is_empty()).count();
-        let most = self.panels.iter().map(rows).max().unwrap_or(0).div_ceil(self.columns);
+        let legends = self.legends();
+        let most = legends.iter().map(Vec::len).max().unwrap_or(0).div_ceil(self.columns);
         #[allow(clippy::cast_precision_loss, reason = "a legend has few rows")]
-        let legend = most as f64 * LEGEND_ROW + 10.0;
-        let height = TITLE + self.height + legend;
+        let height = TITLE + self.height + most as f64 * LEGEND_ROW + 10.0;
         let mut svg = String::new();
         {
             let size = (length(WIDTH), length(height));
@@ -112,20 +111,35 @@ impl Figure {
             let style = anchored(letters(21.0, INK), HPos::Center, VPos::Center);
             area.draw(&Text::new(self.title.as_str(), center, style))?;
             let (_, body) = area.split_vertically(px(TITLE));
-            let (panels, legends) = body.split_vertically(px(self.height));
-            let split = (1, self.panels.len());
-            let below = legends.split_evenly(split);
-            for ((panel, area), legend) in
-                self.panels.iter().zip(panels.split_evenly(split)).zip(below)
-            {
-                panel.draw(&area)?;
-                draw_legend(panel.curves(), self.columns, &legend)?;
+            let (upper, lower) = body.split_vertically(px(self.height));
+            let places = upper.split_evenly((1, self.panels.len()));
+            for (panel, place) in self.panels.iter().zip(places) {
+                panel.draw(&place)?;
+            }
+            for (legend, place) in legends.iter().zip(lower.split_evenly((1, legends.len()))) {
+                draw_legend(legend, self.columns, &place)?;
             }
             area.present()?;
         }
         let file = format!("{}.svg", self.name);
         std::fs::write(folder.join(&file), shown_at(&svg, WIDTH, height))?;
         Ok(Picture { file, title: self.title, caption: self.caption, section: self.section })
+    }
+
+    /// The named curves of every panel; those of the first alone if all panels call theirs alike.
+    fn legends(&self) -> Vec<Vec<&Curve>> {
+        let mut legends: Vec<Vec<&Curve>> = Vec::new();
+        for panel in &self.panels {
+            legends.push(panel.curves().iter().filter(|curve| !curve.label.is_empty()).collect());
+        }
+        let alike = |(a, b): (&&Curve, &&Curve)| a.label == b.label && a.pen == b.pen;
+        let same = |pair: &[Vec<&Curve>]| {
+            pair[0].len() == pair[1].len() && pair[0].iter().zip(&pair[1]).all(alike)
+        };
+        if legends.windows(2).all(same) {
+            legends.truncate(1);
+        }
+        legends
     }
 }
 
@@ -136,12 +150,11 @@ fn shown_at(svg: &str, width: f64, height: f64) -> String {
 }
 
 /// Draws the names of the curves in columns.
-fn draw_legend(curves: &[Curve], columns: usize, area: &Area<'_>) -> Result<(), Box<dyn Error>> {
+fn draw_legend(curves: &[&Curve], columns: usize, area: &Area<'_>) -> Result<(), Box<dyn Error>> {
     let (width, _) = area.dim_in_pixel();
     let left = px(62.0);
     let column_width = (i32::try_from(width)? - left) / i32::try_from(columns)?;
-    let named: Vec<&Curve> = curves.iter().filter(|curve| !curve.label.is_empty()).collect();
-    for (index, curve) in named.iter().enumerate() {
+    for (index, curve) in curves.iter().enumerate() {
         let (row, column) = (i32::try_from(index / columns)?, i32::try_from(index % columns)?);
         let x = left + column * column_width;
         let y = px(LEGEND_ROW / 2.0) + row * px(LEGEND_ROW);

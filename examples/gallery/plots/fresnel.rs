@@ -50,7 +50,7 @@ pub(super) fn glass() -> Result<Figure, Box<dyn Error>> {
             Mark::Vertical {
                 x: outer,
                 y: 0.72,
-                label: format!("Brewster {outer:.2}°"),
+                label: format!("Brewster {outer:.1}°"),
                 side: HPos::Right,
             },
             Mark::Point {
@@ -70,13 +70,13 @@ pub(super) fn glass() -> Result<Figure, Box<dyn Error>> {
             Mark::Vertical {
                 x: inner,
                 y: 0.6,
-                label: format!("Brewster {inner:.2}°"),
+                label: format!("Brewster {inner:.1}°"),
                 side: HPos::Right,
             },
             Mark::Vertical {
                 x: critical,
                 y: 0.72,
-                label: format!("critical {critical:.2}°"),
+                label: format!("critical {critical:.1}°"),
                 side: HPos::Left,
             },
         ],
@@ -90,7 +90,7 @@ pub(super) fn glass() -> Result<Figure, Box<dyn Error>> {
              light is not reflected; from inside, beyond the critical angle, all light is."
         ),
         height: 400.0,
-        columns: 1,
+        columns: 3,
         panels: vec![Panel::Plot(outside), Panel::Plot(inside)],
     })
 }
@@ -110,7 +110,7 @@ fn spectral(metal: &Metal) -> Result<Vec<Curve>, Box<dyn Error>> {
     Ok(curves)
 }
 
-/// Gold and copper, and silver with the two polarisations of copper.
+/// Three metals at three wavelengths.
 pub(super) fn metals() -> Result<Figure, Box<dyn Error>> {
     let panel = |metal: &Metal| -> Result<Panel, Box<dyn Error>> {
         Ok(Panel::Plot(Plot {
@@ -125,7 +125,8 @@ pub(super) fn metals() -> Result<Figure, Box<dyn Error>> {
         name: "fresnel-metals",
         section: SECTION,
         title: "Unpolarised reflectance of metals at three wavelengths".into(),
-        caption: "Fresnel's equations with measured indices (P. B. Johnson, R. W. Christy, 1972). Gold \
+        caption: "Fresnel's equations with measured indices (P. B. Johnson, R. W. Christy, 1972), given \
+                  below as n + ik. Gold \
                   and copper are coloured at normal incidence and turn white towards grazing; silver \
                   is nearly white throughout."
             .into(),
@@ -166,7 +167,7 @@ pub(super) fn copper_polarized() -> Result<Figure, Box<dyn Error>> {
                   blue."
             .into(),
         height: 400.0,
-        columns: 1,
+        columns: 3,
         panels,
     })
 }

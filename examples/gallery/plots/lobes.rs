@@ -3,18 +3,21 @@
 use std::error::Error;
 
 use brdf::{
-    Beckmann, BlinnPhong, Brdf, Constant, CookTorrance, Gaussian, Ggx, Lambert, OrenNayar, Phong,
-    from_spherical,
+    Beckmann, BlinnPhong, Brdf, Constant, CookTorrance, Distribution, Gaussian, Ggx, Lambert,
+    OrenNayar, Phong, from_spherical,
 };
 use plotters::prelude::RGBColor;
 
 use super::figure::{Curve, Figure, Panel};
 use super::polar::Lobes;
-use super::style::{INK, PENS, Pen};
+use super::style::{BLUE, Dash, GREEN, INK, PENS, Pen, SHORT, VERMILION};
 
 const SECTION: &str = "Lobes";
 
 type Model = Box<dyn Brdf<f64, Color = f64>>;
+
+/// Name, model, angle of the light in degrees, and pen of a lobe.
+type Lit = (String, Model, f64, Pen);
 
 /// f over the angle of the viewer in degrees, negative on the side of the light.
 fn values(model: &Model, light: f64) -> impl Fn(f64) -> f64 + '_ {
@@ -22,52 +25,69 @@ fn values(model: &Model, light: f64) -> impl Fn(f64) -> f64 + '_ {
     move |degrees: f64| model.eval(wi, from_spherical(degrees.to_radians(), 0.0))
 }
 
-/// The lobes of several models, the largest of all filling the circle; each lobe by itself if
-/// `alike`.
-fn panel(heading: &str, models: &[(String, Model, f64, Pen)], alike: bool) -> Panel {
+/// How a value becomes a radius.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Radius {
+    /// In proportion; the largest value of all fills the circle.
+    Common,
+    /// In proportion; every lobe fills the circle.
+    Own,
+    /// By its logarithm; the circle is four decades, the largest value of all fills it.
+    Decades,
+}
+
+/// The lobes of several models.
+fn panel(heading: &str, models: &[Lit], radius: Radius) -> Panel {
     let mut curves: Vec<Curve> = models
         .iter()
         .map(|(name, model, light, pen)| {
-            Curve::new(name.clone(), *pen, (-89.9, 89.9), values(model, *light))
+            Curve::new(name.clone(), *pen, (-89.99, 89.99), values(model, *light))
         })
         .collect();
     let overall = curves.iter().map(|curve| curve.highest().1).fold(0.0, f64::max);
     for curve in &mut curves {
-        let largest = if alike { curve.highest().1 } else { overall };
-        for point in &mut curve.points {
-            point.1 /= largest;
+        let largest = if radius == Radius::Own { curve.highest().1 } else { overall };
+        for (_, value) in &mut curve.points {
+            let part = *value / largest;
+            let decades = || (1.0 + part.max(f64::MIN_POSITIVE).log10() / 4.0).max(0.0);
+            *value = if radius == Radius::Decades { decades() } else { part };
         }
     }
+    // Arrows wear the colours of their lobes where there are several.
     let mut incidence: Vec<(f64, RGBColor)> = Vec::new();
-    for (_, _, light, _) in models {
+    for (_, _, light, pen) in models {
         if incidence.iter().all(|(known, _)| known != light) {
-            incidence.push((*light, INK));
+            incidence.push((*light, pen.color));
         }
     }
-    let circle = |part: f64| {
-        let label = if alike { format!("{part}") } else { format!("{:.2}", part * overall) };
-        (part, label)
+    if let [(_, color)] = &mut incidence[..] {
+        *color = INK;
+    }
+    let (text, circles) = match radius {
+        Radius::Common => {
+            ("f / sr⁻¹", [0.5, 1.0].map(|part| (part, format!("{:.2}", part * overall))).to_vec())
+        }
+        Radius::Own => {
+            ("f over its largest value", [0.5, 1.0].map(|part| (part, format!("{part}"))).to_vec())
+        }
+        Radius::Decades => {
+            let labels = [(0.25, "10⁻³"), (0.5, "10⁻²"), (0.75, "10⁻¹"), (1.0, "1")];
+            ("f over the largest value", labels.map(|(part, text)| (part, text.into())).to_vec())
+        }
     };
-    let radius = if alike { "f over its largest value" } else { "f / sr⁻¹" };
-    Panel::Lobes(Lobes {
-        heading: heading.into(),
-        radius: radius.into(),
-        incidence,
-        circles: vec![circle(0.5), circle(1.0)],
-        curves,
-    })
+    Panel::Lobes(Lobes { heading: heading.into(), radius: text.into(), incidence, circles, curves })
 }
 
 pub(super) fn diffuse() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for light in [30.0, 70.0] {
-        let mut models: Vec<(String, Model, f64, Pen)> =
+        let mut models: Vec<Lit> =
             vec![("Lambert".into(), Box::new(Lambert::new(1.0)?), light, PENS[0])];
         for (sigma, pen) in [0.1, 0.3, 0.6].into_iter().zip(&PENS[1..]) {
             let model = Box::new(OrenNayar::new(1.0, sigma)?);
             models.push((format!("Oren–Nayar, σ = {sigma}"), model, light, *pen));
         }
-        panels.push(panel(&format!("light at {light}°"), &models, false));
+        panels.push(panel(&format!("light at {light}°"), &models, Radius::Common));
     }
     Ok(Figure {
         name: "lobes-diffuse",
@@ -76,76 +96,97 @@ pub(super) fn diffuse() -> Result<Figure, Box<dyn Error>> {
         caption: "f for albedo 1. Lambert's is the half circle; roughness takes from the far side \
             and adds on the side of the light (arrow), the more the more the light grazes."
             .into(),
-        height: 360.0,
-        columns: 1,
+        height: 315.0,
+        columns: 2,
         panels,
     })
 }
 
 pub(super) fn phong() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
-    for light in [30.0, 75.0] {
-        let models: Vec<(String, Model, f64, Pen)> = vec![
-            ("Phong, n = 20".into(), Box::new(Phong::new(1.0, 20.0)?), light, PENS[0]),
-            ("Blinn–Phong, n = 80".into(), Box::new(BlinnPhong::new(1.0, 80.0)?), light, PENS[1]),
-        ];
-        panels.push(panel(&format!("light at {light}°"), &models, true));
+    for exponent in [20.0, 80.0] {
+        let mut models: Vec<Lit> = Vec::new();
+        for (light, color) in [(30.0, BLUE), (60.0, VERMILION), (80.0, GREEN)] {
+            let (phong, blinn) = (Phong::new(1.0, 20.0)?, BlinnPhong::new(1.0, exponent)?);
+            let name = if color == GREEN { "Blinn–Phong" } else { "" };
+            let pen = Pen { color, dash: Dash::Solid };
+            models.push((format!("Phong, {light}°"), Box::new(phong), light, pen));
+            let pen = Pen { color: INK, dash: SHORT };
+            models.push((name.into(), Box::new(blinn), light, pen));
+        }
+        let heading = format!("Phong n = 20, Blinn–Phong n = {exponent}");
+        panels.push(panel(&heading, &models, Radius::Own));
     }
     Ok(Figure {
         name: "lobes-phong",
         section: SECTION,
         title: "Phong against Blinn–Phong in the plane of incidence".into(),
-        caption: "With four times the exponent Blinn's lobe is Phong's, here; across the plane of \
-            incidence it is narrower, which spheres at grazing show."
+        caption: "Light at 30°, 60° and 80°, each lobe over its largest value. With the same exponent \
+            Blinn's lobe is twice as wide as Phong's; with four times the exponent the two coincide here. \
+            Across the plane of incidence Blinn's is narrower, which spheres at grazing show."
             .into(),
-        height: 360.0,
-        columns: 1,
+        height: 315.0,
+        columns: 4,
         panels,
     })
+}
+
+/// Cook–Torrance with F = 1 and V-cavities, for three distributions.
+fn three_distributions(light: f64) -> Result<Vec<Lit>, Box<dyn Error>> {
+    fn mirrors(distribution: impl Distribution<f64> + 'static) -> Result<Model, Box<dyn Error>> {
+        Ok(Box::new(CookTorrance::new(distribution, Constant::new(1.0)?)))
+    }
+    let m = 0.3;
+    Ok(vec![
+        (format!("Gaussian, m = {m}"), mirrors(Gaussian::new(m)?)?, light, PENS[0]),
+        (format!("Beckmann, m = {m}"), mirrors(Beckmann::new(m)?)?, light, PENS[1]),
+        (format!("GGX, m = {m}"), mirrors(Ggx::new(m)?)?, light, PENS[2]),
+    ])
 }
 
 pub(super) fn microfacet() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for light in [20.0, 50.0] {
-        let models: Vec<(String, Model, f64, Pen)> = vec![
-            (
-                "Gaussian, m = 0.3".into(),
-                Box::new(CookTorrance::new(Gaussian::new(0.3)?, Constant::new(1.0)?)),
-                light,
-                PENS[0],
-            ),
-            (
-                "Beckmann, m = 0.3".into(),
-                Box::new(CookTorrance::new(Beckmann::new(0.3)?, Constant::new(1.0)?)),
-                light,
-                PENS[1],
-            ),
-            (
-                "GGX, α = 0.3".into(),
-                Box::new(CookTorrance::new(Ggx::new(0.3)?, Constant::new(1.0)?)),
-                light,
-                PENS[2],
-            ),
-        ];
-        panels.push(panel(&format!("light at {light}°"), &models, false));
+        let heading = format!("light at {light}°");
+        panels.push(panel(&heading, &three_distributions(light)?, Radius::Common));
     }
     Ok(Figure {
         name: "lobes-microfacet",
         section: SECTION,
         title: "Cook–Torrance lobes of three distributions".into(),
-        caption: "F = 1, V-cavities. GGX is lower at the peak and broader at the foot.".into(),
-        height: 360.0,
-        columns: 1,
+        caption:
+            "F = 1, V-cavities. The Gaussian and Beckmann are close; GGX is narrower around the \
+            mirror direction and broader at the foot. The corners at grazing are those of the \
+            V-cavities' G."
+                .into(),
+        height: 315.0,
+        columns: 3,
         panels,
     })
 }
 
+pub(super) fn microfacet_decades() -> Result<Figure, Box<dyn Error>> {
+    let light = 30.0;
+    Ok(Figure {
+        name: "lobes-microfacet-logarithmic",
+        section: SECTION,
+        title: "Tails of the Cook–Torrance lobes, logarithmic radius".into(),
+        caption:
+            "The same surfaces; the centre is 10⁻⁴ of the largest value. Towards the light GGX is above the others by orders \
+            of magnitude: the halo around its highlights."
+                .into(),
+        height: 430.0,
+        columns: 3,
+        panels: vec![panel(&format!("light at {light}°"), &three_distributions(light)?, Radius::Decades)],
+    })
+}
+
 pub(super) fn off_specular() -> Result<Figure, Box<dyn Error>> {
-    let mut models: Vec<(String, Model, f64, Pen)> = Vec::new();
+    let mut models: Vec<Lit> = Vec::new();
     let mut peaks = Vec::new();
     for (light, pen) in [10.0, 30.0, 45.0, 60.0].into_iter().zip(PENS) {
         let model: Model = Box::new(CookTorrance::new(Beckmann::new(0.4)?, Constant::new(1.0)?));
-        let (peak, _) = Curve::new("", pen, (-89.9, 89.9), values(&model, light)).highest();
+        let (peak, _) = Curve::new("", pen, (-89.99, 89.99), values(&model, light)).highest();
         peaks.push(format!("{light}° → {peak:.0}°"));
         models.push((format!("light at {light}°"), model, light, pen));
     }
@@ -158,8 +199,8 @@ pub(super) fn off_specular() -> Result<Figure, Box<dyn Error>> {
              beyond the mirror direction, as Torrance and Sparrow explained: {}.",
             peaks.join(", ")
         ),
-        height: 460.0,
-        columns: 2,
-        panels: vec![panel("each lobe over its largest value", &models, true)],
+        height: 430.0,
+        columns: 4,
+        panels: vec![panel("Beckmann, m = 0.4", &models, Radius::Own)],
     })
 }

@@ -1,11 +1,8 @@
-//! Distributions of facet normals, and shadowing.
+//! Distributions of facet normals.
 
 use std::error::Error;
 
-use brdf::{
-    Beckmann, Blinn, Distribution, Gaussian, Ggx, Mixture, Pair, Shadowing, SmithCorrelated,
-    SmithSeparable, VCavity, from_spherical,
-};
+use brdf::{Beckmann, Blinn, Distribution, Gaussian, Ggx, Mixture, from_spherical};
 
 use super::cartesian::{Axis, Plot};
 use super::figure::{Curve, Figure, Panel};
@@ -50,8 +47,11 @@ pub(super) fn distributions() -> Result<Figure, Box<dyn Error>> {
     let list: Vec<(String, Box<dyn Distribution<f64>>)> = vec![
         (format!("Gaussian, m = {m}"), Box::new(Gaussian::new(m)?)),
         (format!("Beckmann, m = {m}"), Box::new(Beckmann::new(m)?)),
-        (format!("GGX, α = {m}"), Box::new(Ggx::new(m)?)),
-        ("Blinn, n = 2/m² − 2".into(), Box::new(Blinn::from_roughness(m)?)),
+        (format!("GGX, m = {m}"), Box::new(Ggx::new(m)?)),
+        (
+            format!("Blinn, n = 2/m² − 2 = {:.1}", Blinn::from_roughness(m)?.exponent()),
+            Box::new(Blinn::from_roughness(m)?),
+        ),
     ];
     Ok(Figure {
         name: "distributions",
@@ -62,7 +62,7 @@ pub(super) fn distributions() -> Result<Figure, Box<dyn Error>> {
             higher by orders of magnitude."
             .into(),
         height: 420.0,
-        columns: 1,
+        columns: 2,
         panels: two_scales(&list, Axis::new(DENSITY, 0.0, 4.0, 0.5), 1.0),
     })
 }
@@ -80,7 +80,7 @@ pub(super) fn roughness() -> Result<Figure, Box<dyn Error>> {
             normal, to cos²α = 1/(2m²)."
             .into(),
         height: 420.0,
-        columns: 2,
+        columns: 4,
         panels: two_scales(&list, Axis::new(DENSITY, 0.0, 35.0, 5.0), 2.0),
     })
 }
@@ -99,57 +99,7 @@ pub(super) fn mixture() -> Result<Figure, Box<dyn Error>> {
         caption: "A weighted sum of Beckmann's distributions: a narrow peak over broad flanks."
             .into(),
         height: 420.0,
-        columns: 1,
+        columns: 3,
         panels: two_scales(&list, Axis::new(DENSITY, 0.0, 15.0, 2.5), 2.0),
-    })
-}
-
-/// G in the plane of incidence, over the angle of the viewer on the mirror side.
-fn shadowing_curves<D>(distribution: &D, light: f64) -> Vec<Curve>
-where
-    VCavity: Shadowing<f64, D>,
-    SmithCorrelated: Shadowing<f64, D>,
-    SmithSeparable: Shadowing<f64, D>,
-{
-    let terms: [(&str, &dyn Shadowing<f64, D>); 3] = [
-        ("V-cavity", &VCavity),
-        ("Smith, correlated", &SmithCorrelated),
-        ("Smith, separable", &SmithSeparable),
-    ];
-    let with_pens = terms.into_iter().zip(PENS);
-    let curve = |((name, term), pen): ((&str, &dyn Shadowing<f64, D>), _)| {
-        Curve::new(name, pen, (0.0, 89.9), |degrees| {
-            let wi = from_spherical((-light).to_radians(), 0.0);
-            let pair = Pair::new(wi, from_spherical(degrees.to_radians(), 0.0));
-            4.0 * pair.cos_i * pair.cos_o * term.visibility(distribution, &pair)
-        })
-    };
-    with_pens.map(curve).collect()
-}
-
-pub(super) fn shadowing() -> Result<Figure, Box<dyn Error>> {
-    let panel = |heading: &str, curves| {
-        Panel::Plot(Plot {
-            heading: heading.into(),
-            x: Axis::degrees("angle of the viewer, mirror side / °"),
-            y: Axis::new("G", 0.0, 1.0, 0.2),
-            curves,
-            marks: vec![],
-        })
-    };
-    Ok(Figure {
-        name: "shadowing",
-        section: SECTION,
-        title: "Shadowing and masking, light at 45°".into(),
-        caption: "The fraction of facets that light and viewer both see, at roughness 0.5. The \
-            V-cavities do not ask for the distribution; their kinks are where one of the three \
-            terms of the minimum takes over."
-            .into(),
-        height: 420.0,
-        columns: 1,
-        panels: vec![
-            panel("Beckmann", shadowing_curves(&Beckmann::new(0.5)?, 45.0)),
-            panel("GGX", shadowing_curves(&Ggx::new(0.5)?, 45.0)),
-        ],
     })
 }

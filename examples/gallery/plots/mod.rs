@@ -3,12 +3,14 @@
 mod approximations;
 mod cartesian;
 mod diffuse;
+mod energy;
 mod figure;
 mod fresnel;
 mod lobes;
 mod metals;
 mod microfacet;
 mod polar;
+mod shadowing;
 mod style;
 
 use std::error::Error;
@@ -21,7 +23,7 @@ use figure::Figure;
 type Draw = fn() -> Result<Figure, Box<dyn Error>>;
 
 /// In the order of the page.
-const FIGURES: [Draw; 17] = [
+const FIGURES: [Draw; 20] = [
     fresnel::glass,
     fresnel::metals,
     fresnel::copper_polarized,
@@ -31,14 +33,17 @@ const FIGURES: [Draw; 17] = [
     microfacet::distributions,
     microfacet::roughness,
     microfacet::mixture,
-    microfacet::shadowing,
+    shadowing::fixed_light,
+    shadowing::mirror,
     lobes::diffuse,
     lobes::phong,
     lobes::microfacet,
+    lobes::microfacet_decades,
     lobes::off_specular,
     approximations::powers,
     diffuse::full_moon,
-    diffuse::albedo,
+    energy::conserving,
+    energy::not_conserving,
 ];
 
 /// Writes all plots into `out`; calls `progress` with the name of each that is done.

@@ -42,7 +42,7 @@ impl Lobes {
         let (width, height) = area.dim_in_pixel();
         let (width, height) = (i32::try_from(width)?, i32::try_from(height)?);
         let margin = px(48.0);
-        let above = px(66.0);
+        let above = px(58.0);
         let below = px(62.0);
         let radius = f64::from((width / 2 - margin).min(height - above - below));
         let dial = Dial { center: (width / 2, height - below), radius };
@@ -111,12 +111,16 @@ fn draw_arrow(
     angle: f64,
     color: RGBColor,
 ) -> Result<(), Box<dyn Error>> {
-    let (tail, tip) = (dial.place((-angle, 1.0)), dial.place((-angle, 0.8)));
-    area.draw(&PathElement::new(vec![tail, tip], stroke(color, 2.6)))?;
+    let inward = |pixels: f64| 1.0 - f64::from(px(pixels)) / dial.radius;
+    let (tail, tip) = (dial.place((-angle, 1.0)), dial.place((-angle, inward(40.0))));
+    area.draw(&PathElement::new(
+        vec![tail, dial.place((-angle, inward(30.0)))],
+        stroke(color, 2.6),
+    ))?;
     let wing = |turn: f64| {
-        let (x, y) = dial.place((-angle + turn, 0.87));
-        (x, y)
+        let across = f64::from(px(6.0)) / (dial.radius * inward(26.0));
+        dial.place((-angle + turn * across.to_degrees(), inward(26.0)))
     };
-    area.draw(&Polygon::new(vec![tip, wing(-2.4), wing(2.4)], color.filled()))?;
+    area.draw(&Polygon::new(vec![tip, wing(-1.0), wing(1.0)], color.filled()))?;
     Ok(())
 }

@@ -41,7 +41,7 @@ pub(super) enum Dash {
 
 pub(super) const LONG: Dash = Dash::Broken(13.0, 5.0);
 pub(super) const SHORT: Dash = Dash::Broken(6.0, 4.0);
-pub(super) const DOTS: Dash = Dash::Broken(2.4, 3.6);
+pub(super) const DOTS: Dash = Dash::Broken(3.2, 3.2);
 
 /// A line's colour and dashes.
 #[derive(Clone, Copy, Debug, PartialEq)]
