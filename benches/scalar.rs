@@ -33,6 +33,12 @@ fn by_hand(wi: Vec3, wo: Vec3, m: f32, f0: Vec3) -> Vec3 {
     fresnel * (d * g / (4.0 * wi.z * wo.z))
 }
 
+/// A call that the compiler can neither inline nor turn into SIMD code.
+#[inline(never)]
+fn call<A, B>(function: impl Fn(A, A) -> B, wi: A, wo: A) -> B {
+    function(wi, wo)
+}
+
 fn cook_torrance(criterion: &mut Criterion) {
     let pairs = pairs_f32();
     let mut values = vec![Vec3::ZERO; COUNT];
@@ -59,6 +65,22 @@ fn cook_torrance(criterion: &mut Criterion) {
             black_box(&mut values);
         });
     });
+    group.bench_function("by hand, opaque calls", |bencher| {
+        bencher.iter(|| {
+            for (value, (wi, wo)) in values.iter_mut().zip(&pairs) {
+                *value = call(|wi, wo| by_hand(wi, wo, m, f0), *wi, *wo);
+            }
+            black_box(&mut values);
+        });
+    });
+    group.bench_function("crate, opaque calls", |bencher| {
+        bencher.iter(|| {
+            for (value, (wi, wo)) in values.iter_mut().zip(&pairs) {
+                *value = call(|wi, wo| model.eval(wi, wo), *wi, *wo);
+            }
+            black_box(&mut values);
+        });
+    });
     group.finish();
 }
 
@@ -79,6 +101,14 @@ macro_rules! ggx_gold {
                 bencher.iter(|| {
                     for (value, (wi, wo)) in values.iter_mut().zip(&pairs) {
                         *value = model.eval(*wi, *wo);
+                    }
+                    black_box(&mut values);
+                });
+            });
+            group.bench_function("eval, opaque calls", |bencher| {
+                bencher.iter(|| {
+                    for (value, (wi, wo)) in values.iter_mut().zip(&pairs) {
+                        *value = call(|wi, wo| model.eval(wi, wo), *wi, *wo);
                     }
                     black_box(&mut values);
                 });

@@ -70,9 +70,8 @@ impl<T: Real> Pair<T> {
 #[inline(always)]
 #[must_use]
 pub fn above_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
-    let length_squared = Vector::length_squared(w);
-    let is_direction = length_squared.ge(T::lit(0.99)).and(length_squared.le(T::lit(1.01)));
-    is_direction.and(w.z().gt(T::lit(0.0)))
+    let off = Vector::length_squared(w) - T::lit(1.0);
+    off.abs().le(T::lit(0.01)).and(w.z().gt(T::lit(0.0)))
 }
 
 /// The mirror direction R = 2N(N·L) − L of a direction that points away from the surface.

@@ -25,7 +25,9 @@ pub(in crate::real) fn exp(x: f32) -> f32 {
     // 2ⁿ in two factors: the first product is exact, the second rounds once if it is subnormal.
     let power = shifted.to_bits().wrapping_sub(ROUND.to_bits() - 254);
     let half = power >> 1;
-    y * f32::from_bits(half << 23) * f32::from_bits(power.wrapping_sub(half) << 23)
+    // Below the smallest number the second factor is zero: a product that underflows is slow.
+    let rest = if x < -104.0 { 0 } else { power.wrapping_sub(half) << 23 };
+    y * f32::from_bits(half << 23) * f32::from_bits(rest)
 }
 
 #[inline(always)]
