@@ -2,16 +2,15 @@
 
 use std::error::Error;
 
+use brdf::materials::{COPPER, GOLD, SILVER};
 use brdf::{
-    BlinnPhong, Brdf, Conductor, Dielectric, Fresnel, Hall, Phong, Schlick, SchlickPower,
-    from_spherical,
+    BlinnPhong, Brdf, Dielectric, Fresnel, Hall, Phong, Schlick, SchlickPower, from_spherical,
 };
 use glam::DVec3;
 use plotters::style::text_anchor::{HPos, VPos};
 
 use super::cartesian::{Axis, Mark, Plot};
 use super::figure::{Curve, Figure, Panel};
-use super::metals::{COPPER, GOLD, SILVER};
 use super::style::{BLUE, Dash, GREEN, INK, PENS, Pen, SHORT, VERMILION};
 
 const SECTION: &str = "Approximations";
@@ -78,23 +77,25 @@ pub(super) fn schlick_dielectric() -> Result<Figure, Box<dyn Error>> {
 
 pub(super) fn schlick_metal() -> Result<Figure, Box<dyn Error>> {
     let mut curves = Vec::new();
-    let lines = [(GOLD, 650.0), (GOLD, 450.0), (COPPER, 550.0), (SILVER, 550.0)];
+    let lines = [(&GOLD, 650.0), (&GOLD, 450.0), (&COPPER, 550.0), (&SILVER, 550.0)];
     for ((metal, wavelength), pen) in lines.into_iter().zip(PENS) {
-        let (eta, k) = metal.index(wavelength)?;
-        let error = schlick_error(Conductor::new(eta, k)?)?;
-        curves.push(Curve::new(format!("{} {wavelength} nm", metal.name), pen, RIGHT_ANGLE, error));
+        let error = schlick_error(metal.conductor(wavelength)?)?;
+        curves.push(Curve::new(
+            format!("{} {wavelength} nm", metal.name().to_lowercase()),
+            pen,
+            RIGHT_ANGLE,
+            error,
+        ));
     }
     let y = Axis::new("Schlick − exact", -0.02, 0.05, 0.01);
     Ok(error_figure("schlick-metal", "metals", y, curves))
 }
 
-/// Copper's blue after Hall, driven by copper's own red and by glass, against the exact curve.
+/// Copper's blue after Hall, driven by copper's own green and by glass, against the exact curve.
 pub(super) fn copper() -> Result<Figure, Box<dyn Error>> {
-    let (eta, k) = COPPER.index(450.0)?;
-    let exact = Conductor::new(eta, k)?;
+    let exact = COPPER.conductor(450.0)?;
     let f0 = exact.reflectance(1.0);
-    let (eta, k) = COPPER.index(550.0)?;
-    let by_copper = Hall::with_reference(f0, Conductor::new(eta, k)?)?;
+    let by_copper = Hall::with_reference(f0, COPPER.conductor(550.0)?)?;
     let by_glass = Hall::new(f0, 1.5)?;
     let schlick = Schlick::new(f0)?;
     let over_angle = |term: &dyn Fresnel<f64, Color = f64>, label: &str, pen| {

@@ -3,12 +3,12 @@
 use std::error::Error;
 
 use brdf::fresnel::{conductor_polarized, dielectric_polarized};
+use brdf::materials::{COPPER, GOLD, Material, RefractiveIndex, SILVER};
 use brdf::{Conductor, Dielectric, Fresnel, brewster_angle, critical_angle};
 use plotters::style::text_anchor::{HPos, VPos};
 
 use super::cartesian::{Axis, Mark, Plot};
 use super::figure::{Curve, Figure, Panel};
-use super::metals::{COPPER, GOLD, Metal, SILVER};
 use super::style::{BLUE, Dash, GREEN, INK, LONG, Pen, SHORT, VERMILION};
 
 const SECTION: &str = "Fresnel reflectance";
@@ -95,12 +95,12 @@ pub(super) fn glass() -> Result<Figure, Box<dyn Error>> {
     })
 }
 
-fn spectral(metal: &Metal) -> Result<Vec<Curve>, Box<dyn Error>> {
+fn spectral(metal: &Material) -> Result<Vec<Curve>, Box<dyn Error>> {
     let mut curves = Vec::new();
     for (wavelength, color, dash) in
         [(650.0, VERMILION, Dash::Solid), (550.0, GREEN, LONG), (450.0, BLUE, SHORT)]
     {
-        let (eta, k) = metal.index(wavelength)?;
+        let RefractiveIndex { eta, k } = metal.refractive_index(wavelength)?;
         let surface = Conductor::new(eta, k)?;
         let label = format!("{wavelength:.0} nm: {eta:.3} + {k:.3}i");
         curves.push(Curve::new(label, Pen { color, dash }, RIGHT_ANGLE, |x| {
@@ -112,9 +112,9 @@ fn spectral(metal: &Metal) -> Result<Vec<Curve>, Box<dyn Error>> {
 
 /// Three metals at three wavelengths.
 pub(super) fn metals() -> Result<Figure, Box<dyn Error>> {
-    let panel = |metal: &Metal| -> Result<Panel, Box<dyn Error>> {
+    let panel = |metal: &Material| -> Result<Panel, Box<dyn Error>> {
         Ok(Panel::Plot(Plot {
-            heading: metal.name.into(),
+            heading: metal.name().to_lowercase(),
             x: Axis::new("θ / °", 0.0, 90.0, 30.0),
             y: Axis::new("reflectance", 0.3, 1.0, 0.1),
             curves: spectral(metal)?,
@@ -140,7 +140,7 @@ pub(super) fn metals() -> Result<Figure, Box<dyn Error>> {
 pub(super) fn copper_polarized() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for wavelength in [650.0, 450.0] {
-        let (eta, k) = COPPER.index(wavelength)?;
+        let RefractiveIndex { eta, k } = COPPER.refractive_index(wavelength)?;
         let curves = polarizations(|degrees| {
             let reflectance = conductor_polarized(eta, k, degrees.to_radians().cos());
             (reflectance.s, reflectance.p)

@@ -7,7 +7,6 @@ mod energy;
 mod figure;
 mod fresnel;
 mod lobes;
-mod metals;
 mod microfacet;
 mod polar;
 mod shadowing;
