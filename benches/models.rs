@@ -2,7 +2,7 @@
 //! `f64`.
 
 mod common;
-#[path = "../tests/common/models.rs"]
+#[path = "../tests/common/models/mod.rs"]
 mod models;
 
 use std::hint::black_box;

@@ -39,9 +39,29 @@ fn f32_keeps_the_digits_of_f64() {
         };
         let (lobe, tail) = (worst_above(LOBE), worst_above(TAIL));
         println!("{:40} lobe {lobe:.1e} tail {tail:.1e}", single.name);
-        if lobe > single.lobe_precision || tail > single.tail_precision {
+        let (lobe_bound, tail_bound) = bounds(single.name);
+        if lobe > lobe_bound || tail > tail_bound {
             failures.push(format!("{}: lobe {lobe:.2e}, tail {tail:.2e}", single.name));
         }
     }
     assert!(failures.is_empty(), "{failures:#?}");
+}
+
+/// The largest relative difference that is due to the conditioning of the model, in the lobe and in
+/// the tail: a power or an exponential multiplies the rounding of its argument, and where R·V
+/// passes through 0 its relative error grows without bound.
+fn bounds(name: &str) -> (f64, f64) {
+    let of = |kind: &str| name.contains(kind);
+    if of("from inside") {
+        // Next to the critical angle the slope is infinite.
+        (5e-5, 5e-5)
+    } else if of("Schlick's power") {
+        (5e-5, 2e-4)
+    } else if of("Phong") || of("sum") {
+        (4e-6, 3e-4)
+    } else if of("Lambert") || of("Oren") || (of("GGX") && !of("mixture")) {
+        (2e-6, 2e-6)
+    } else {
+        (2e-6, 1.2e-5)
+    }
 }
