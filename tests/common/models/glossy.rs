@@ -12,7 +12,7 @@ pub(super) fn entries<T: Real>() -> Entries<T> {
         Entry::new("Phong 1e5", Phong::new(color(), lit(1e5))?),
         Entry::new("classic Phong 3", ClassicPhong::new(color(), lit(3.0))?)
             .not_reciprocal()
-            .gains(1.57080, 0.0),
+            .gains(std::f64::consts::FRAC_PI_2, 0.0),
         Entry::new("classic Phong 60", ClassicPhong::new(color(), lit(60.0))?).not_reciprocal(),
         Entry::new("Blinn-Phong 0", BlinnPhong::new(color(), lit(0.0))?),
         Entry::new("Blinn-Phong 1.5", BlinnPhong::new(color(), lit(1.5))?),
