@@ -3,6 +3,7 @@
 
 mod common;
 #[path = "../tests/common/models/mod.rs"]
+#[allow(dead_code, reason = "what the tests need beyond names and models")]
 mod models;
 
 use std::hint::black_box;
