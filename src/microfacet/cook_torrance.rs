@@ -4,7 +4,7 @@ use super::v_cavity::VCavity;
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{Pair, above_surface, reflect};
 use crate::fresnel::Fresnel;
-use crate::real::{Real, Vector};
+use crate::real::{Color, Real, Vector};
 
 /// The microfacet model: a surface of small mirrors.
 ///
@@ -137,8 +137,11 @@ where
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
         let pair = Pair::new(wi, wo);
         let visibility = self.shadowing.visibility(&self.distribution, &pair);
-        let value = (self.distribution.density(pair.h) * visibility).min(T::max_finite());
-        self.reflectance(&pair) * T::select(pair.above, value, T::lit(0.0))
+        let limit = T::max_finite();
+        let value = (self.distribution.density(pair.h) * visibility).min(limit);
+        let value = self.reflectance(&pair) * T::select(pair.above, value, T::lit(0.0));
+        // A Fresnel term that contains the light exceeds 1.
+        value.map(|value| value.min(limit))
     }
 
     #[inline]
