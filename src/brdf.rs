@@ -33,6 +33,9 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T;
 
     /// Draws `wi` for `wo` from two independent uniform numbers in [0, 1).
+    ///
+    /// To the models of this crate 1 is a number as good as the others; what lies outside 0 … 1
+    /// counts as the nearer end, NaN as 0.
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, Self::Color>;
 
     /// Directional albedo ∫ f_r cosθᵢ dωᵢ: what the viewer at `wo` sees of a surroundings of

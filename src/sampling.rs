@@ -2,12 +2,18 @@
 
 use crate::real::{Real, Vector};
 
+/// Two uniform numbers as every sampler takes them: what lies outside 0 … 1 is moved to the nearer
+/// end, NaN to 0. Both ends are allowed.
+#[inline(always)]
+pub(crate) fn uniform<T: Real>(u: [T; 2]) -> [T; 2] {
+    u.map(|u| u.clamp(T::lit(0.0), T::lit(1.0)))
+}
+
 /// A direction with density cosθ/π: a uniform point of the unit disk, lifted to the hemisphere.
 #[inline(always)]
 pub(crate) fn cosine_hemisphere<T: Real>(u: [T; 2]) -> T::Vec3 {
-    let (zero, one) = (T::lit(0.0), T::lit(1.0));
-    let radius_squared = u[0].clamp(zero, one);
+    let [radius_squared, turn] = uniform(u);
     let radius = radius_squared.sqrt();
-    let (sin, cos) = (u[1] * T::lit(core::f64::consts::TAU)).sin_cos();
-    Vector::new(radius * cos, radius * sin, (one - radius_squared).sqrt())
+    let (sin, cos) = (turn * T::lit(core::f64::consts::TAU)).sin_cos();
+    Vector::new(radius * cos, radius * sin, (T::lit(1.0) - radius_squared).sqrt())
 }

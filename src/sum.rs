@@ -4,6 +4,7 @@ use core::fmt;
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::uniform;
 
 /// A weighted sum of models: diffuse plus specular, mixtures of materials, layers.
 ///
@@ -117,7 +118,7 @@ where
     }
 
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (u, zero, one) = (uniform(u), T::lit(0.0), T::lit(1.0));
         let mut start = zero;
         let mut wi = <T::Vec3 as Vector<T>>::new(zero, zero, one);
         let mut drawn = zero;

@@ -8,6 +8,7 @@ use crate::direction::{Pair, above_surface, reflect};
 use crate::error::ParameterError;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::uniform;
 
 /// Blinn's variant of Phong's lobe, around the half vector.
 ///
@@ -110,10 +111,11 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
     #[inline]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
-        let versine = -((-u[0]).ln_1p() / (self.exponent + two)).exp_m1();
+        let [u, turn] = uniform(u);
+        let versine = -((-u).ln_1p() / (self.exponent + two)).exp_m1();
         let sin = (versine * (two - versine)).max(zero).sqrt();
         let cos_h = one - versine;
-        let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
+        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
         let h = <T::Vec3 as Vector<T>>::new(sin * cos_phi, sin * sin_phi, cos_h);
         let viewer = unit_viewer::<T>(wo);
         let wi = reflect(viewer, h);

@@ -7,6 +7,7 @@ use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::ParameterError;
 use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::uniform;
 
 /// Phong's highlight as printed in 1975, for pictures that must match it.
 ///
@@ -84,7 +85,8 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
 
     #[inline]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        let wi = around_mirror::<T>(wo, sample_power(self.exponent, u[0]), u[1]);
+        let [u, turn] = uniform(u);
+        let wi = around_mirror::<T>(wo, sample_power(self.exponent, u), turn);
         let weight = self.specular * (T::lit(TAU) / (self.exponent + T::lit(1.0)));
         let pdf = self.pdf(wi, wo);
         Sample { wi, weight, pdf }.only_where(pdf.gt(T::lit(0.0)))

@@ -7,6 +7,7 @@ use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::ParameterError;
 use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::uniform;
 
 /// Phong's lobe as a physically plausible BRDF, also called modified Phong.
 ///
@@ -90,7 +91,8 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
 
     #[inline]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        let wi = around_mirror::<T>(wo, sample_power(self.exponent, u[0]), u[1]);
+        let [u, turn] = uniform(u);
+        let wi = around_mirror::<T>(wo, sample_power(self.exponent, u), turn);
         let ratio = (self.exponent + T::lit(2.0)) / (self.exponent + T::lit(1.0));
         let pdf = self.pdf(wi, wo);
         Sample { wi, weight: self.specular * (ratio * wi.z()), pdf }.only_where(pdf.gt(T::lit(0.0)))

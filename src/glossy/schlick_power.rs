@@ -7,6 +7,7 @@ use crate::direction::above_surface;
 use crate::error::ParameterError;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::uniform;
 
 /// Schlick's rational lobe in place of Phong's power.
 ///
@@ -186,8 +187,9 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
 
     #[inline]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        let versine = self.sampled_versine(u[0]);
-        let wi = around_mirror::<T>(wo, versine, u[1]);
+        let [u, turn] = uniform(u);
+        let versine = self.sampled_versine(u);
+        let wi = around_mirror::<T>(wo, versine, turn);
         let pdf = self.pdf(wi, wo);
         Sample { wi, weight: self.specular * self.weight(versine, wi.z()), pdf }
             .only_where(pdf.gt(T::lit(0.0)))

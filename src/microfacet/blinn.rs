@@ -3,6 +3,7 @@ use core::f64::consts::{FRAC_1_PI, TAU};
 use super::distribution::Distribution;
 use crate::error::{ParameterError, range};
 use crate::real::{Real, Vector};
+use crate::sampling::uniform;
 
 /// A power of the cosine: the distribution behind the lobes of Phong and Blinn.
 ///
@@ -94,13 +95,13 @@ impl<T: Real> Distribution<T> for Blinn<T> {
 
     #[inline]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let [u, turn] = uniform(u);
         // cosθ = (1 − u₀)^(1/(n + 2)) through its logarithm, which gives sinθ all its digits.
         // exp(−85) is the least power that every number can represent.
-        let ln = (-u[0].clamp(zero, one)).ln_1p().max(T::lit(-85.0));
+        let ln = (-u).ln_1p().max(T::lit(-85.0));
         let ln_cos = ln / (self.exponent + T::lit(2.0));
-        let sin = (-(ln_cos + ln_cos).exp_m1()).max(zero).sqrt();
-        let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
+        let sin = (-(ln_cos + ln_cos).exp_m1()).max(T::lit(0.0)).sqrt();
+        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
         Vector::new(sin * cos_phi, sin * sin_phi, ln_cos.exp())
     }
 }

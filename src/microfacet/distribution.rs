@@ -14,7 +14,8 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     fn density(&self, h: T::Vec3) -> T;
 
     /// Draws `h` with density D(h) (N·h) from two uniform numbers in [0, 1). It is a unit vector
-    /// that does not lie below the surface.
+    /// that does not lie below the surface. Numbers outside [0, 1) are taken as by
+    /// [`Brdf::sample`](crate::Brdf::sample).
     fn sample(&self, u: [T; 2]) -> T::Vec3;
 }
 
@@ -25,8 +26,9 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     fn lambda_cos(&self, w: T::Vec3) -> T;
 
     /// Draws `h` with the density of the normals visible from `wo`, G₁(wo) (wo·h) D(h) / (N·wo),
-    /// from two uniform numbers in [0, 1). It is a unit vector that does not lie below the surface.
-    /// A `wo` that is no direction above the surface counts as the normal.
+    /// from two uniform numbers in [0, 1), taken as by [`Brdf::sample`](crate::Brdf::sample). It is
+    /// a unit vector that does not lie below the surface. A `wo` that is no direction above the
+    /// surface counts as the normal.
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 }
 

@@ -4,6 +4,7 @@ use super::distribution::Distribution;
 use crate::error::{ParameterError, range};
 use crate::quadrature::integrate;
 use crate::real::{Real, Vector};
+use crate::sampling::uniform;
 
 /// The normal distribution of the angle between the facets and the surface, as Torrance and
 /// Sparrow took it.
@@ -92,12 +93,11 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
 
     #[inline]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
-        let zero = T::lit(0.0);
-        let angle = self.angle(u[0]);
-        let (sin, cos) = angle.sin_cos();
-        let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
+        let [u, turn] = uniform(u);
+        let (sin, cos) = self.angle(u).sin_cos();
+        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
         // The number nearest to π/2 may lie above it.
-        Vector::new(sin * cos_phi, sin * sin_phi, cos.max(zero))
+        Vector::new(sin * cos_phi, sin * sin_phi, cos.max(T::lit(0.0)))
     }
 }
 

@@ -4,6 +4,7 @@ use super::distribution::{Distribution, Smith};
 use super::roughness::Roughness;
 use crate::error::ParameterError;
 use crate::real::{Real, Vector};
+use crate::sampling::uniform;
 
 /// GGX, the distribution of Trowbridge and Reitz: the facets of an ellipsoid.
 ///
@@ -83,11 +84,10 @@ impl<T: Real> Distribution<T> for Ggx<T> {
 
     #[inline]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let [u, turn] = uniform(u);
         // tan²θ = u₀/(1 − u₀) in the space of roughness 1: slope sinθ over cosθ.
-        let sin = u[0].max(zero).sqrt();
-        let cos = (one - u[0]).max(zero).sqrt();
-        let (sin_phi, cos_phi) = (u[1] * T::lit(TAU)).sin_cos();
+        let (sin, cos) = (u.sqrt(), (T::lit(1.0) - u).sqrt());
+        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
         self.roughness.unstretch(sin * cos_phi, sin * sin_phi, cos)
     }
 }
@@ -105,16 +105,16 @@ impl<T: Real> Smith<T> for Ggx<T> {
 
     #[inline]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let ([turn, u], one) = (uniform(u), T::lit(1.0));
         let s = self.roughness.stretch(wo);
         // The cap is 1 + s_z high. Both 1 − z and 1 + z of its uniform point are sums of positive
         // terms, so that 1 − z² keeps its digits near the poles.
         let height = one + s.z();
         let one_minus_s_z = (s.x().squared() + s.y().squared()) / height;
-        let below_top = u[1].max(zero) * height;
-        let above_rim = (one - u[1]).max(zero) * height;
+        let below_top = u * height;
+        let above_rim = (one - u) * height;
         let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();
-        let (sin_phi, cos_phi) = (u[0] * T::lit(TAU)).sin_cos();
+        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
         self.roughness.unstretch(sin * cos_phi + s.x(), sin * sin_phi + s.y(), above_rim)
     }
 }

@@ -1,6 +1,7 @@
 use super::distribution::{Distribution, Smith};
 use crate::error::{ParameterError, range};
 use crate::real::{Mask, Real, Vector};
+use crate::sampling::uniform;
 
 /// A weighted mean of distributions: surfaces with roughness on several scales.
 ///
@@ -96,7 +97,7 @@ impl<T: Real> Choice<T> {
     #[inline(always)]
     pub(crate) fn new(u: [T; 2]) -> Self {
         let zero = T::lit(0.0);
-        Self { u, start: zero, chosen: Vector::new(zero, zero, T::lit(1.0)) }
+        Self { u: uniform(u), start: zero, chosen: Vector::new(zero, zero, T::lit(1.0)) }
     }
 
     #[inline(always)]

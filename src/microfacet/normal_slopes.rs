@@ -4,21 +4,23 @@
 use core::f64::consts::{FRAC_2_SQRT_PI, TAU};
 
 use crate::real::{Real, Vector};
+use crate::sampling::uniform;
 
 /// Two independent slopes with density exp(−x² − y²)/π: tan²θ = −ln(1 − u₀).
 #[inline(always)]
 pub(super) fn slopes<T: Real>(u: [T; 2]) -> (T, T) {
+    let [u, turn] = uniform(u);
     // A uniform number of f64 below 1 leaves at least 2⁻⁵³; the bound keeps 1 itself finite.
-    let tan_squared = -(-u[0].clamp(T::lit(0.0), T::lit(1.0))).ln_1p();
+    let tan_squared = -(-u).ln_1p();
     let tan = tan_squared.min(T::lit(40.0)).sqrt();
-    let (sin, cos) = (u[1] * T::lit(TAU)).sin_cos();
+    let (sin, cos) = (turn * T::lit(TAU)).sin_cos();
     (tan * cos, tan * sin)
 }
 
 /// Slopes with the density of those that face `s`, a direction above the surface of roughness 1.
 #[inline]
 pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
-    let one = T::lit(1.0);
+    let (u, one) = (uniform(u), T::lit(1.0));
     let sin_squared = s.x().squared() + s.y().squared();
     // Seen from the normal all slopes count alike, and there is no azimuth to turn them to.
     let tilted = sin_squared.gt(T::lit(1e-36));
@@ -46,7 +48,7 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
 fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
     let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
     // Slope −∞ belongs to u = 0. Probability 10⁻³⁷ is what every number can represent.
-    let u = u.clamp(T::lit(1e-37), one);
+    let u = u.max(T::lit(1e-37));
     let small = u.lt(T::lit(0.5));
     let largest = (cos / sin).min(T::lit(40.0));
     let whole = two * cos + sin * ierfc(largest);

@@ -4,6 +4,7 @@ use super::distribution::Distribution;
 use super::shadowing::Shadowing;
 use crate::direction::Pair;
 use crate::real::{Real, Vector};
+use crate::sampling::uniform;
 
 /// Shadowing and masking in long symmetric V-shaped grooves.
 ///
@@ -78,10 +79,10 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
 
     #[inline]
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let ([tilt, place], zero, one) = (uniform(u), T::lit(0.0), T::lit(1.0));
         // All facets of this tilt: (x cosψ, y sinψ, z), of which one eighth of a turn shows both
         // x/√2 and y/√2.
-        let facet = distribution.sample([u[0], T::lit(0.125)]);
+        let facet = distribution.sample([tilt, T::lit(0.125)]);
         let (x, y, z) = (facet.x() * T::lit(SQRT_2), facet.y() * T::lit(SQRT_2), facet.z());
         // wo·h = z wo_z + r cos(ψ − ψ₀) with (r cosψ₀, r sinψ₀) = (x wo_x, y wo_y).
         let (r_cos, r_sin) = (x * wo.x(), y * wo.y());
@@ -93,7 +94,7 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
         let cos_0 = T::select(tilted, r_cos * inverse, one);
         let sin_0 = T::select(tilted, r_sin * inverse, zero);
         let k = T::select(tilted, r / (z * wo.z()), zero);
-        let (cos, sin) = visible_azimuth(k, u[1]);
+        let (cos, sin) = visible_azimuth(k, place);
         let facet: T::Vec3 =
             Vector::new(x * (cos_0 * cos - sin_0 * sin), y * (sin_0 * cos + cos_0 * sin), z);
         Vector::normalize_or_normal(facet)

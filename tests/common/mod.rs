@@ -4,5 +4,6 @@
 pub mod directions;
 pub mod models;
 pub mod slopes;
+pub mod sound;
 pub mod traced;
 pub mod values;
