@@ -1,0 +1,10 @@
+//! What can be measured of a model. Functions that answer numbers and assert nothing.
+
+use brdf::Brdf;
+use glam::DVec3;
+
+pub mod energy;
+pub mod hemisphere;
+
+/// A model as it is measured.
+pub type Model64 = dyn Brdf<f64, Color = DVec3>;
