@@ -5,6 +5,8 @@ use glam::DVec3;
 
 pub mod energy;
 pub mod hemisphere;
+pub mod precision;
+pub mod reciprocity;
 
 /// A model as it is measured.
 pub type Model64 = dyn Brdf<f64, Color = DVec3>;
