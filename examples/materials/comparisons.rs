@@ -50,8 +50,8 @@ fn panel(y_name: &'static str, y: std::ops::Range<f64>, curves: Vec<Curve>) -> P
         x: 300.0..1000.0,
         y,
         wavelengths: true,
-        list: false,
         curves,
+        ..Panel::default()
     }
 }
 

@@ -67,8 +67,8 @@ pub fn figure(material: &Material) -> Result<Figure, ParameterError> {
                 x: x.clone(),
                 y,
                 wavelengths: true,
-                list: false,
                 curves,
+                ..Panel::default()
             },
             Panel {
                 x_name: "wavelength in nm",
@@ -76,8 +76,8 @@ pub fn figure(material: &Material) -> Result<Figure, ParameterError> {
                 x,
                 y: 0.0..r_end,
                 wavelengths: true,
-                list: false,
                 curves: vec![mark(Curve::new("R", INK, reflectance))],
+                ..Panel::default()
             },
         ],
     })

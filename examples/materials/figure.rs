@@ -61,11 +61,13 @@ pub struct Curve {
     pub dashed: bool,
     /// Whether each point is marked, because it was measured.
     pub marked: bool,
+    /// Whether the points are joined.
+    pub joined: bool,
 }
 
 impl Curve {
     pub fn new(name: impl Into<String>, color: RGBColor, points: Vec<(f64, f64)>) -> Self {
-        Self { points, color, name: name.into(), dashed: false, marked: false }
+        Self { points, color, name: name.into(), dashed: false, marked: false, joined: true }
     }
 
     fn pen(&self) -> ShapeStyle {
@@ -79,14 +81,24 @@ impl Curve {
     pub fn marked(self) -> Self {
         Self { marked: true, ..self }
     }
+
+    /// Marks without a line.
+    pub fn dots(self) -> Self {
+        Self { joined: false, ..self.marked() }
+    }
 }
 
 /// Axes with curves.
+#[derive(Default)]
 pub struct Panel {
+    /// Above the upper left corner.
+    pub heading: String,
     pub x_name: &'static str,
     pub y_name: &'static str,
     pub x: Range<f64>,
     pub y: Range<f64>,
+    /// Whether y is a decimal logarithm.
+    pub decades: bool,
     /// Whether x is a wavelength, and the visible ones are shown.
     pub wavelengths: bool,
     /// Whether the names are a list, because the curves end in one point.
@@ -151,15 +163,15 @@ impl Panel {
             .x_label_area_size(length(X_LABELS))
             .y_label_area_size(length(Y_LABELS))
             .build_cartesian_2d(self.x.clone(), self.y.clone())?;
-        let decimals = decimals(&self.y);
+        let y_label = |y: &f64| self.y_label(*y);
         chart
             .configure_mesh()
             .x_desc(self.x_name)
             .y_desc(self.y_name)
-            .y_label_formatter(&|y| minus(&format!("{y:.decimals$}")))
-            .x_label_formatter(&|x| format!("{x:.0}"))
+            .y_label_formatter(&y_label)
+            .x_label_formatter(&|x| minus(&format!("{x:.0}")))
             .x_labels(9)
-            .y_labels(6)
+            .y_labels(self.y_labels())
             .light_line_style(TRANSPARENT)
             .bold_line_style(stroke(GRID, 1.0))
             .axis_style(stroke(INK, 1.0))
@@ -167,6 +179,8 @@ impl Panel {
             .label_style(letters(11.0, INK))
             .axis_desc_style(letters(12.0, INK))
             .draw()?;
+        let corner = (px(LEFT_MARGIN + Y_LABELS), 0);
+        area.draw(&Text::new(self.heading.clone(), corner, letters(12.0, INK)))?;
         if self.wavelengths {
             self.draw_rainbow(area)?;
         }
@@ -174,6 +188,20 @@ impl Panel {
             draw_curve(&mut chart, curve)?;
         }
         if self.list { self.draw_list(&chart) } else { self.draw_names(&chart) }
+    }
+
+    fn y_label(&self, y: f64) -> String {
+        if self.decades {
+            return format!("10{}", superscript(&format!("{y:.0}")));
+        }
+        let decimals = decimals(&self.y);
+        minus(&format!("{y:.decimals$}"))
+    }
+
+    /// How many labels there may be: one for each decade.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few decades")]
+    fn y_labels(&self) -> usize {
+        if self.decades { (self.y.end - self.y.start).round() as usize + 1 } else { 6 }
     }
 
     /// The unit of y in pixels.
@@ -230,13 +258,17 @@ impl Panel {
 
     /// The names as a list beside the upper end, each with a piece of its line.
     fn draw_list(&self, chart: &Chart<'_, '_>) -> Result<(), Box<dyn Error>> {
-        for (row, curve) in self.curves.iter().enumerate() {
+        let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
+        for (row, curve) in named.enumerate() {
             let corner = (self.x.end, self.y.end - (1.0 + row as f64) * LINE_HEIGHT / self.unit());
             let (left, right) = ((px(12.0), 0), (px(36.0), 0));
             let style = letters(12.0, curve.color).pos(Pos::new(HPos::Left, VPos::Center));
             let text = Text::new(curve.name.clone(), (px(42.0), 0), style);
             let area = chart.plotting_area();
-            if curve.dashed {
+            if !curve.joined {
+                let mark = Circle::new((px(24.0), 0), length(2.6), curve.color.filled());
+                area.draw(&(EmptyElement::at(corner) + mark + text))?;
+            } else if curve.dashed {
                 let points = [left, right].into_iter();
                 let line =
                     DashedPathElement::new(points, length(DASH.0), length(DASH.1), curve.pen());
@@ -258,7 +290,7 @@ fn draw_curve(chart: &mut Chart<'_, '_>, curve: &Curve) -> Result<(), Box<dyn Er
     if curve.dashed {
         let (dash, gap) = (length(DASH.0), length(DASH.1));
         chart.draw_series(DashedLineSeries::new(points(), dash, gap, curve.pen()))?;
-    } else {
+    } else if curve.joined {
         chart.draw_series(LineSeries::new(points(), curve.pen()))?;
     }
     if curve.marked {
@@ -278,6 +310,19 @@ fn decimals(range: &Range<f64>) -> usize {
 fn minus(text: &str) -> String {
     let zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
     text.replace('-', if zero { "" } else { "−" })
+}
+
+fn superscript(digits: &str) -> String {
+    let raised = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        digit => {
+            digit.to_digit(10).and_then(|value| char::from_u32(0x2070 + value)).unwrap_or(digit)
+        }
+    };
+    digits.chars().map(raised).collect()
 }
 
 /// At most two lines of words.

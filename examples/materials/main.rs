@@ -10,6 +10,7 @@
 mod colors;
 mod comparisons;
 mod curves;
+#[allow(dead_code, reason = "marks that only the fits need")]
 mod figure;
 mod list;
 mod shortcut;

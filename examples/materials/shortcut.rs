@@ -63,9 +63,9 @@ pub fn figure() -> Result<Figure, Box<dyn Error>> {
         y_name,
         x: 0.0..90.0,
         y,
-        wavelengths: false,
         list: true,
         curves,
+        ..Panel::default()
     };
     Ok(Figure {
         name: "shortcut".to_owned(),
