@@ -6,6 +6,7 @@ mod blinn_1977;
 mod cook_torrance;
 mod distribution;
 mod gaussian;
+mod gaussian_tilts;
 mod ggx;
 mod historical;
 pub(crate) mod mixture;
