@@ -1,0 +1,66 @@
+//! Measures what the documentation says of every model and writes it down.
+//!
+//! ```sh
+//! cargo run --release --example certificate            # writes docs/certificate.md, README.md
+//! cargo run --release --example certificate -- --check # fails if they say something else
+//! ```
+//!
+//! The same measurements as in the tests, on the same list of models, at full size.
+
+#[path = "../../tests/common/mod.rs"]
+mod common;
+mod page;
+mod row;
+
+use std::error::Error;
+use std::path::Path;
+use std::{env, fs};
+
+use common::models;
+use indicatif::{ProgressBar, ProgressStyle};
+use row::Row;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let check = check(env::args().skip(1))?;
+    let (single, double) = (models::all::<f32>(), models::all::<f64>());
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {elapsed} {msg}")?;
+    let bar = ProgressBar::new(double.len().try_into()?).with_style(style);
+    let pairs = row::Pairs::new();
+    let mut rows = Vec::new();
+    for (single, double) in single.iter().zip(&double) {
+        bar.set_message(double.name);
+        rows.push(Row::measure(single, double, &pairs));
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let readme = root.join("README.md");
+    let pages = [
+        (root.join("docs/certificate.md"), page::certificate(&rows)),
+        (readme.clone(), page::readme(&fs::read_to_string(readme)?, &rows)?),
+    ];
+    for (path, text) in pages {
+        if !check {
+            fs::write(&path, text)?;
+        } else if fs::read_to_string(&path)? != text {
+            let measured = env::temp_dir().join("certificate.md");
+            fs::write(&measured, text)?;
+            let (path, measured) = (path.display(), measured.display());
+            return Err(format!("{path} is not what was measured, which is in {measured}").into());
+        }
+    }
+    Ok(())
+}
+
+/// Whether `--check` was given.
+fn check(arguments: impl Iterator<Item = String>) -> Result<bool, String> {
+    let mut check = false;
+    for argument in arguments {
+        match argument.as_str() {
+            "--check" => check = true,
+            _ => return Err(format!("{argument}: the only option is --check")),
+        }
+    }
+    Ok(check)
+}

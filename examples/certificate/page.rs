@@ -1,0 +1,103 @@
+//! The text of the certificate.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+use crate::row::{ANGLES, PAIRS, Row};
+
+const HEAD: &str = "# What was measured of every model
+
+Written by `cargo run --release --example certificate`; `-- --check` compares it with a new
+measurement. One line for each model and set of parameters that the tests know
+(`tests/common/models`).";
+
+/// What the columns mean.
+fn legend() -> String {
+    format!(
+        "- **Largest albedo.** ∫ f cosθ dω by adaptive cubature of `eval` in `f64` at {ANGLES} angles of
+  the viewer from 0° to 89.99°, along both axes where the model is anisotropic; brightest channel.
+  No more than 1 + 10⁻¹² for a model that promises to conserve energy.
+- **Reciprocal.** The largest difference of f(wi, wo) from f(wo, wi) over {PAIRS} pairs of
+  directions, a half of them grazing with cosines down to 10⁻⁶, in units in the last place, in `f64`
+  and in `f32`.
+- **`f32` error.** The relative difference of `eval` in `f32` from `f64` at the same pairs: median,
+  largest, and the largest part of what mixed forward and backward stability allows: 2·10⁻⁶ and
+  what a rounding of the directions themselves does."
+    )
+}
+
+/// The page with one line for each entry of the registry.
+pub(crate) fn certificate(rows: &[Row]) -> String {
+    let mut page = format!(
+        "{HEAD}
+
+{}
+
+| model | largest albedo | at | reciprocal | `f32` error, median | largest | of its bound |
+|---|---|---|---|---|---|---|
+",
+        legend()
+    );
+    for row in rows {
+        let _ = writeln!(
+            page,
+            "| {} | {:.5} | {:.2}° | {} | {:.1e} | {:.1e} | {:.2} |",
+            row.name,
+            row.energy.maximum,
+            row.energy.degrees,
+            reciprocal(row),
+            row.precision.median,
+            row.precision.maximum,
+            row.precision.ratio,
+        );
+    }
+    page
+}
+
+/// Zero, or how far from it.
+fn reciprocal(row: &Row) -> String {
+    let (double, single) = (row.reciprocity_f64, row.reciprocity_f32);
+    if double.ulp.max(single.ulp) < 1e3 {
+        format!("{:.0}, {:.0} ulp", double.ulp, single.ulp)
+    } else {
+        format!("no, {:.0} % apart", 100.0 * double.relative)
+    }
+}
+
+const BEGIN: &str = "<!-- measured, begin -->\n";
+const END: &str = "<!-- measured, end -->\n";
+
+/// The front page with a new table between its marks: one line for each kind of model, the worst of
+/// its entries.
+pub(crate) fn readme(text: &str, rows: &[Row]) -> Result<String, String> {
+    let (head, rest) = text.split_once(BEGIN).ok_or_else(|| format!("no {BEGIN}"))?;
+    let (_, tail) = rest.split_once(END).ok_or_else(|| format!("no {END}"))?;
+    let mut kinds: Vec<&str> = Vec::new();
+    let mut entries: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
+    for row in rows {
+        if !entries.contains_key(row.kind.as_str()) {
+            kinds.push(&row.kind);
+        }
+        entries.entry(&row.kind).or_default().push(row);
+    }
+    let mut table = String::from(
+        "| model | sets of parameters | reciprocal | largest albedo | `f32` error, median, largest |
+|---|---|---|---|---|
+",
+    );
+    for kind in kinds {
+        let rows = &entries[kind];
+        let largest = |of: fn(&Row) -> f64| rows.iter().map(|row| of(row)).fold(0.0, f64::max);
+        let exact = largest(|row| row.reciprocity_f64.ulp.max(row.reciprocity_f32.ulp)) == 0.0;
+        let _ = writeln!(
+            table,
+            "| `{kind}` | {} | {} | {:.4} | {:.1e}, {:.1e} |",
+            rows.len(),
+            if exact { "to the last bit" } else { "no" },
+            largest(|row| row.energy.maximum),
+            largest(|row| row.precision.median),
+            largest(|row| row.precision.maximum),
+        );
+    }
+    Ok(format!("{head}{BEGIN}{table}{END}{tail}"))
+}
