@@ -7,7 +7,7 @@ use super::any::AnyFresnel;
 use super::error::{DescriptionError, Problem};
 use super::form::{entrance, forms};
 use super::place::{Place, Record};
-use super::value::ColorDescription;
+use super::value::{ColorDescription, IndexDescription};
 use crate::fresnel::{Conductor, Constant, Cook, Dielectric, Hall, Schlick};
 use crate::real::Real;
 
@@ -46,21 +46,21 @@ forms! {
             /// Reflectance at normal incidence.
             f0: ColorDescription,
         },
-        /// [`Hall`], driven by a dielectric.
+        /// [`Hall`], driven by a dielectric or a conductor.
         "hall" => Hall {
             /// Reflectance at normal incidence.
             f0: ColorDescription,
             /// Index whose exact curve drives the interpolation, 1.5 if absent.
-            ior: f64 = 1.5,
+            ior: IndexDescription = IndexDescription::Real(1.5),
         },
-        /// [`Cook`], driven by a dielectric.
+        /// [`Cook`], driven by a dielectric or a conductor.
         "cook" => Cook {
             /// Reflectance at normal incidence.
             f0: ColorDescription,
             /// Colour of the light.
             light: ColorDescription,
             /// Index whose exact curve drives the interpolation, 1.5 if absent.
-            ior: f64 = 1.5,
+            ior: IndexDescription = IndexDescription::Real(1.5),
         },
     }
 }
@@ -73,7 +73,9 @@ pub(super) enum Reflectance<T: Real> {
     Conductor(Conductor<T::Vec3>),
     Schlick(Schlick<T::Vec3>),
     Hall(Hall<T::Vec3, Dielectric<T>>),
+    HallOfConductor(Hall<T::Vec3, Conductor<T>>),
     Cook(Cook<T::Vec3, Dielectric<T>>),
+    CookOfConductor(Cook<T::Vec3, Conductor<T>>),
 }
 
 /// The same expression for every type of Fresnel term.
@@ -85,7 +87,9 @@ macro_rules! each_fresnel {
             $crate::description::fresnel::Reflectance::Conductor($fresnel) => $result,
             $crate::description::fresnel::Reflectance::Schlick($fresnel) => $result,
             $crate::description::fresnel::Reflectance::Hall($fresnel) => $result,
+            $crate::description::fresnel::Reflectance::HallOfConductor($fresnel) => $result,
             $crate::description::fresnel::Reflectance::Cook($fresnel) => $result,
+            $crate::description::fresnel::Reflectance::CookOfConductor($fresnel) => $result,
         }
     };
 }
@@ -124,15 +128,45 @@ impl FresnelDescription {
                 place.key("schlick").parameters(Schlick::new(f0.color::<T>()))?,
             ),
             Self::Hall { f0, ior } => {
-                let built = Hall::new(f0.color::<T>(), T::lit(*ior));
-                Reflectance::Hall(place.key("hall").parameters(built)?)
+                let (place, f0) = (place.key("hall"), f0.color::<T>());
+                match *ior {
+                    IndexDescription::Real(ior) => {
+                        Reflectance::Hall(place.parameters(Hall::new(f0, T::lit(ior)))?)
+                    }
+                    IndexDescription::Complex(ior) => {
+                        let built = Hall::with_reference(f0, conductor(ior, &place)?);
+                        Reflectance::HallOfConductor(place.parameters(built)?)
+                    }
+                }
             }
             Self::Cook { f0, light, ior } => {
-                let built = Cook::new(f0.color::<T>(), light.color::<T>(), T::lit(*ior));
-                Reflectance::Cook(place.key("cook").parameters(built)?)
+                let place = place.key("cook");
+                let (f0, light) = (f0.color::<T>(), light.color::<T>());
+                match *ior {
+                    IndexDescription::Real(ior) => {
+                        Reflectance::Cook(place.parameters(Cook::new(f0, light, T::lit(ior)))?)
+                    }
+                    IndexDescription::Complex(ior) => {
+                        let built = Cook::with_reference(f0, light, conductor(ior, &place)?);
+                        Reflectance::CookOfConductor(place.parameters(built)?)
+                    }
+                }
             }
         })
     }
+}
+
+/// The conductor whose index is the key `ior` of the place.
+fn conductor<T: Real>(
+    [eta, k]: [f64; 2],
+    place: &Place<'_>,
+) -> Result<Conductor<T>, DescriptionError> {
+    let built = Conductor::new(T::lit(eta), T::lit(k));
+    let index = match &built {
+        Err(error) if error.parameter() == "k" => 1,
+        _ => 0,
+    };
+    place.key("ior").index(index).parameter(built)
 }
 
 #[cfg(feature = "materials")]

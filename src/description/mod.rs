@@ -26,7 +26,7 @@
 //! | `{"conductor": {"eta": C, "k": C}}` | |
 //! | `{"metal": "Au"}` | measured index at 650, 550 and 450 nm, by symbol or name (feature `materials`) |
 //! | `{"schlick": {"f0": C}}` | |
-//! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index |
+//! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index; or of a conductor's, `[eta, k]` |
 //! | `{"cook": {"f0": C, "light": C, "ior": 1.5}}` | likewise; contains the light |
 //!
 //! | Distribution D | |
@@ -91,4 +91,4 @@ pub use bounds::{MAX_DEPTH, MAX_TERMS};
 pub use distribution::{DistributionDescription, WeightedDistribution};
 pub use error::{DescriptionError, Problem};
 pub use fresnel::FresnelDescription;
-pub use value::{ColorDescription, RoughnessDescription};
+pub use value::{ColorDescription, IndexDescription, RoughnessDescription};

@@ -1,4 +1,4 @@
-//! Colours and roughness.
+//! Colours, indices and roughness.
 
 use serde::{Deserializer, Serialize, Serializer};
 
@@ -40,6 +40,33 @@ impl Serialize for ColorDescription {
         match self {
             Self::Gray(value) => value.serialize(to),
             Self::Rgb(channels) => channels.as_slice().serialize(to),
+        }
+    }
+}
+
+/// A refractive index at one wavelength: `1.5`, or `[eta, k]` of a conductor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum IndexDescription {
+    /// Of a transparent medium.
+    Real(f64),
+    /// Real and imaginary part.
+    Complex([f64; 2]),
+}
+
+impl<'de> Parse<'de> for IndexDescription {
+    fn parse<D: Deserializer<'de>>(place: &Place<'_>, from: D) -> Result<Self, D::Error> {
+        Ok(match Numbers::parse(place, from)? {
+            Numbers::One(value) => Self::Real(value),
+            Numbers::Each(parts) => Self::Complex(parts),
+        })
+    }
+}
+
+impl Serialize for IndexDescription {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Real(value) => value.serialize(to),
+            Self::Complex(parts) => parts.as_slice().serialize(to),
         }
     }
 }

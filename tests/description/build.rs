@@ -101,6 +101,15 @@ where
         r#"{"hall": {"f0": [0.9, 0.5, 0.1], "ior": 1.3}}"#,
         Hall::new(rgb::<T>(0.9, 0.5, 0.1), T::lit(1.3))?,
     );
+    let copper = Conductor::new(T::lit(1.02), T::lit(2.577))?;
+    same_fresnel::<T>(
+        r#"{"hall": {"f0": [0.95, 0.64, 0.54], "ior": [1.02, 2.577]}}"#,
+        Hall::with_reference(rgb::<T>(0.95, 0.64, 0.54), copper)?,
+    );
+    same_fresnel::<T>(
+        r#"{"cook": {"f0": 0.2, "light": [0.5, 1, 2], "ior": [1.02, 2.577]}}"#,
+        Cook::with_reference(gray::<T>(0.2), rgb::<T>(0.5, 1.0, 2.0), copper)?,
+    );
     same_fresnel::<T>(
         r#"{"cook": {"f0": 0.2, "light": [0.5, 1, 2]}}"#,
         Cook::new(gray::<T>(0.2), rgb::<T>(0.5, 1.0, 2.0), T::lit(1.5))?,

@@ -4,13 +4,14 @@ use std::fmt::Debug;
 
 use brdf::description::{
     BrdfDescription, ColorDescription, DistributionDescription, FresnelDescription,
-    RoughnessDescription, ShadowingDescription, WeightedBrdf, WeightedDistribution,
+    IndexDescription, RoughnessDescription, ShadowingDescription, WeightedBrdf,
+    WeightedDistribution,
 };
 use proptest::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub(crate) const FRESNEL: [&str; 11] = [
+pub(crate) const FRESNEL: [&str; 13] = [
     r#"{"constant":0.5}"#,
     r#"{"constant":[0.25,0.5,1]}"#,
     r#"{"dielectric":{"ior":1.5}}"#,
@@ -20,8 +21,10 @@ pub(crate) const FRESNEL: [&str; 11] = [
     r#"{"schlick":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"hall":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"hall":{"f0":0.5,"ior":1.3}}"#,
+    r#"{"hall":{"f0":[0.95,0.64,0.54],"ior":[1.02,2.577]}}"#,
     r#"{"cook":{"f0":0.2,"light":[0.5,1,2]}}"#,
     r#"{"cook":{"f0":0.2,"light":0.5,"ior":2.5}}"#,
+    r#"{"cook":{"f0":0.2,"light":0.5,"ior":[0.2,3]}}"#,
 ];
 
 pub(crate) const DISTRIBUTIONS: [&str; 9] = [
@@ -86,6 +89,14 @@ fn color() -> impl Strategy<Value = ColorDescription> {
     ]
 }
 
+fn index() -> impl Strategy<Value = IndexDescription> {
+    let (eta, k) = (1e-4..=1e4_f64, 0.0..=1e4_f64);
+    prop_oneof![
+        eta.clone().prop_map(IndexDescription::Real),
+        (eta, k).prop_map(|(eta, k)| IndexDescription::Complex([eta, k])),
+    ]
+}
+
 fn distribution() -> impl Strategy<Value = DistributionDescription> {
     let number = (-8.0..4.0_f64).prop_map(|power| 10.0_f64.powf(power));
     let roughness = prop_oneof![
@@ -113,10 +124,12 @@ fn any_model() -> impl Strategy<Value = BrdfDescription> {
         (color(), 0.0..1e8_f64, any::<bool>()).prop_map(|(specular, exponent, normalized)| {
             BrdfDescription::Phong { specular, exponent, normalized }
         }),
-        (distribution(), color()).prop_map(|(distribution, f0)| BrdfDescription::CookTorrance {
-            distribution,
-            fresnel: FresnelDescription::Hall { f0, ior: 1.5 },
-            shadowing: ShadowingDescription::VCavity,
+        (distribution(), color(), index()).prop_map(|(distribution, f0, ior)| {
+            BrdfDescription::CookTorrance {
+                distribution,
+                fresnel: FresnelDescription::Hall { f0, ior },
+                shadowing: ShadowingDescription::VCavity,
+            }
         }),
     ];
     leaf.prop_recursive(3, 20, 3, |inner| {

@@ -84,11 +84,25 @@ fn values_out_of_range_name_their_place_and_the_range() {
             r#"{"hall": {"f0": 1, "ior": 1e5}}"#,
             "hall.ior must be between 0.0001 and 10000, not 100000",
         ),
+        (
+            r#"{"hall": {"f0": 1, "ior": [0, 3]}}"#,
+            "hall.ior[0] must be between 0.0001 and 10000, not 0",
+        ),
+        (
+            r#"{"cook": {"f0": 1, "light": 1, "ior": [0.2, -3]}}"#,
+            "cook.ior[1] must be between 0 and 10000, not -3",
+        ),
+        (r#"{"hall": {"f0": 2, "ior": [0.2, 3]}}"#, "hall.f0 must be between 0 and 1, not 2"),
         (r#"{"cook": {"f0": 1, "light": -1}}"#, "cook.light must be between 0 and 1e10, not -1"),
     ] {
         let error = serde_json::from_str::<FresnelDescription>(text).expect_err(text);
         assert_eq!(error.to_string(), message);
     }
+    let text = r#"{"hall": {"f0": 1, "ior": [1, 2, 3]}}"#;
+    let error = serde_json::from_str::<FresnelDescription>(text).expect_err(text).to_string();
+    let message = "hall.ior: invalid value: floating point `3.0`, expected a number or a list of 2 \
+                   numbers";
+    assert!(error.starts_with(message), "{error}");
     let text = r#"{"gaussian": {"roughness": 1e5}}"#;
     let error = serde_json::from_str::<DistributionDescription>(text).expect_err(text);
     assert_eq!(error.to_string(), "gaussian.roughness must be between 1e-8 and 10000, not 100000");
