@@ -1,5 +1,5 @@
 //! Every model: evaluations, densities and samples per second, through `dyn Brdf`, in `f32` and
-//! `f64`.
+//! `f64`; and a model from a description beside the same one written out.
 
 mod common;
 #[path = "../tests/common/models/mod.rs"]
@@ -8,8 +8,11 @@ mod models;
 
 use std::hint::black_box;
 
-use common::{COUNT, pairs, uniforms};
+use brdf::description::{AnyBrdf, BrdfDescription};
+use brdf::{Conductor, CookTorrance, Ggx, SmithCorrelated};
+use common::{COUNT, pairs, pairs_f32, uniforms};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use glam::Vec3;
 
 macro_rules! bench_models {
     ($function:ident, $float:ident, $narrow:expr) => {
@@ -59,12 +62,42 @@ macro_rules! bench_models {
 bench_models!(in_f32, f32, |w: glam::DVec3| w.as_vec3());
 bench_models!(in_f64, f64, |w: glam::DVec3| w);
 
+/// A described model beside the same model written out as a type: both behind one dispatch.
+fn described(criterion: &mut Criterion) {
+    const GOLD: &str = r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": 0.3}},
+        "fresnel": {"conductor": {"eta": [0.143, 0.374, 1.442], "k": [3.983, 2.386, 1.603]}},
+        "shadowing": "smith"}}"#;
+    let conductor = Conductor::new(Vec3::new(0.143, 0.374, 1.442), Vec3::new(3.983, 2.386, 1.603))
+        .expect("gold is in range");
+    let distribution = Ggx::new(0.3_f32).expect("in range");
+    let gold = CookTorrance::new(distribution, conductor).with_shadowing(SmithCorrelated);
+    let written: AnyBrdf<f32> = Box::new(gold);
+    let description: BrdfDescription = serde_json::from_str(GOLD).expect("a description");
+    let described = description.build::<f32>().expect("in range");
+    let pairs = pairs_f32();
+    let mut group = criterion.benchmark_group("f32/GGX on gold, eval");
+    group.throughput(Throughput::Elements(COUNT as u64));
+    for (name, model) in [("written", written), ("described", described)] {
+        let model = black_box(&model);
+        let mut values = vec![Vec3::ZERO; COUNT];
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| {
+                for (value, (wi, wo)) in values.iter_mut().zip(&pairs) {
+                    *value = model.eval(*wi, *wo);
+                }
+                black_box(&mut values);
+            });
+        });
+    }
+    group.finish();
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default()
         .sample_size(10)
         .warm_up_time(std::time::Duration::from_millis(100))
         .measurement_time(std::time::Duration::from_millis(300));
-    targets = in_f32, in_f64
+    targets = described, in_f32, in_f64
 }
 criterion_main!(benches);

@@ -1,13 +1,18 @@
 //! The questions and answers of the example `evaluate`.
 
+#[path = "../../examples/evaluate/command.rs"]
+mod command;
 #[path = "../../examples/evaluate/question.rs"]
 mod question;
 #[path = "../../examples/evaluate/stream.rs"]
 mod stream;
 
+use std::collections::BTreeSet;
+use std::ffi::OsString;
 use std::io::BufReader;
 
-use indicatif::ProgressBar;
+use command::Streams;
+use indicatif::{ProgressBar, ProgressDrawTarget};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use serde_json::Value;
@@ -110,9 +115,19 @@ fn the_questions_of_the_example_cover_all_forms() {
         "mixture",
         "smith",
         "smith_separable",
+        "d1",
+        "d2",
+        "d3",
+        "normalized",
+        "interreflection",
     ] {
         assert!(QUESTIONS.contains(&format!("\"{form}\"")), "{form}");
     }
+    let kinds: BTreeSet<_> = QUESTIONS
+        .lines()
+        .map(|line| expected_keys(&serde_json::from_str(line).expect(line)))
+        .collect();
+    assert_eq!(kinds.len(), 5, "{kinds:?}");
 }
 
 #[test]
@@ -230,6 +245,65 @@ fn a_run_goes_on_after_an_error() {
     let (answers, tally) = ask_all(b"\xff\xfe\n", Precision::Single);
     assert!(answers[0]["error"].is_string());
     assert_eq!(tally, Tally { questions: 1, failed: 1 });
+}
+
+/// Runs the command and gives its exit status, its answers and its complaints.
+fn command_line(words: &[&str], input: impl std::io::Read) -> (u8, String, String) {
+    let (mut output, mut errors) = (Vec::new(), Vec::new());
+    let streams = Streams {
+        input,
+        output: &mut output,
+        errors: &mut errors,
+        progress: ProgressDrawTarget::hidden(),
+    };
+    let status = command::run(words.iter().map(OsString::from), streams);
+    let text = |bytes| String::from_utf8(bytes).expect("text");
+    (status, text(output), text(errors))
+}
+
+#[test]
+fn the_exit_status_tells_whether_every_question_has_an_answer() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/evaluate/questions.jsonl");
+    let (status, from_file, errors) = command_line(&[file], std::io::empty());
+    assert_eq!((status, errors.as_str()), (0, ""));
+    assert_eq!(from_file.lines().count(), QUESTIONS.lines().count());
+    for words in [&[][..], &["-"], &["--f64", "-"]] {
+        assert_eq!(
+            command_line(words, QUESTIONS.as_bytes()),
+            (0, from_file.clone(), String::new())
+        );
+    }
+    let (status, single, _) = command_line(&["--f32"], QUESTIONS.as_bytes());
+    assert!(status == 0 && single != from_file);
+
+    // One mistake in the middle: the others keep their answers and their order.
+    let lines: Vec<&str> = QUESTIONS.lines().collect();
+    let (before, after) = lines.split_at(lines.len() / 2);
+    let mixed = [before, &["{}"], after].concat().join("\n");
+    let (status, answers, errors) = command_line(&[], mixed.as_bytes());
+    assert_eq!(status, 1);
+    assert_eq!(errors, format!("1 of {} questions have no answer\n", lines.len() + 1));
+    let (wrong, right): (Vec<_>, Vec<_>) =
+        answers.lines().enumerate().partition(|(index, _)| *index == before.len());
+    assert!(wrong[0].1.starts_with(r#"{"error":"#));
+    assert!(right.into_iter().map(|(_, answer)| answer).eq(from_file.lines()));
+}
+
+#[test]
+fn the_exit_status_tells_whether_the_command_can_run() {
+    assert_eq!(command_line(&["--help"], std::io::empty()).0, 0);
+    for words in [&["--f16"][..], &["a", "b"], &["no such file"]] {
+        let (status, answers, errors) = command_line(words, std::io::empty());
+        assert_eq!((status, answers.as_str()), (2, ""));
+        assert!(!errors.is_empty());
+    }
+    struct Broken;
+    impl std::io::Read for Broken {
+        fn read(&mut self, _: &mut [u8]) -> std::io::Result<usize> {
+            Err(std::io::Error::other("the line is dead"))
+        }
+    }
+    assert_eq!(command_line(&[], Broken), (2, String::new(), "the line is dead\n".into()));
 }
 
 /// Depth that would overflow the stack of a reader without bounds.
