@@ -20,6 +20,7 @@ use serde_json::Value;
 use question::Precision;
 use stream::{MAX_LINE, Tally};
 
+const README: &str = include_str!("../../README.md");
 const QUESTIONS: &str = include_str!("../../examples/evaluate/questions.jsonl");
 
 fn ask_all(questions: &[u8], precision: Precision) -> (Vec<Value>, Tally) {
@@ -85,6 +86,25 @@ fn the_questions_of_the_example_have_answers() {
             );
         }
     }
+}
+
+/// What the readme shows is asked in the file, but for the mistake, and answered so.
+#[test]
+fn the_readme_shows_questions_with_their_answers() {
+    let lines: Vec<&str> = README.lines().collect();
+    let shown = lines.windows(2).filter_map(|pair| Some((pair[0], pair[1].strip_prefix("  {")?)));
+    let (mut kinds, mut mistakes) = (BTreeSet::new(), 0);
+    for (question, answer) in shown {
+        let (status, given, _) = command_line(&[], question.as_bytes());
+        assert_eq!(given, format!("{{{answer}\n"), "{question}");
+        if status == 0 {
+            assert!(QUESTIONS.lines().any(|line| line == question), "{question}");
+            kinds.insert(expected_keys(&serde_json::from_str(question).expect(question)));
+        }
+        mistakes += status;
+    }
+    assert_eq!((kinds.len(), mistakes), (5, 1));
+    assert!(README.contains(&format!("Some of the {} questions", QUESTIONS.lines().count())));
 }
 
 /// All forms of description occur in the file.
