@@ -2,11 +2,19 @@
 
 mod common;
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use approx::assert_relative_eq;
-use brdf::from_spherical;
+use brdf::{
+    BlinnPhong, Constant, CookTorrance, OrenNayar, Phong, SchlickPower, SmithCorrelated,
+    SmithSeparable, from_spherical,
+};
+use common::distributions::{with_smith, without_smith};
+use common::measure::Model64;
 use common::measure::energy::{albedo, angles, energy};
 use common::models;
 use glam::DVec3;
+use rayon::prelude::*;
 
 /// Models that promise it never reflect more than they receive, at any angle; the others have
 /// their largest albedo where the registry says.
@@ -40,7 +48,7 @@ fn albedo_is_the_integral() {
         let promised = if !lattice {
             1e-7
         } else if entry.gain.is_some() {
-            4.0 * std::f64::consts::PI * 5e-4
+            4.0 * PI * 5e-4
         } else {
             5e-4
         };
@@ -71,5 +79,62 @@ fn weights_of_samples_average_to_the_albedo() {
         let mean = (sum / f64::from(side * side)).max_element();
         let albedo = albedo(&*entry.model, wo, 1e-5).value.max_element();
         assert_relative_eq!(mean, albedo, max_relative = 5e-3);
+    }
+}
+
+const SWEPT: f64 = 1e-4;
+
+fn assert_conserving(name: &str, model: &Model64, azimuths: &[f64]) {
+    for theta in angles(5) {
+        for &phi in azimuths {
+            let got = albedo(model, from_spherical(theta, phi), SWEPT);
+            let context = format!("{name} at {}°: {got:?}", theta.to_degrees());
+            assert!(got.error <= SWEPT, "{context}");
+            assert!(got.value.max_element() <= 1.0 + 1e-12, "{context}");
+        }
+    }
+}
+
+/// Microfacets that reflect everything: all distributions, all shadowings, roughness from 0.001 to
+/// 1 with and without grain.
+#[test]
+fn microfacets_conserve_energy_at_every_roughness() {
+    let white = Constant::new(DVec3::ONE).unwrap();
+    [1e-3, 0.01, 0.1, 0.4, 1.0].into_par_iter().for_each(|x| {
+        for surface in without_smith(x) {
+            let model = CookTorrance::new(surface.distribution, white);
+            assert_conserving(&surface.name, &model, &[0.0]);
+        }
+        for (y, azimuths) in [(x, &[0.0][..]), (0.2, &[0.0, 1.1])] {
+            for surface in with_smith(x, y) {
+                let model = CookTorrance::new(surface.distribution, white);
+                assert_conserving(&surface.name, &model, azimuths);
+                let model = model.with_shadowing(SmithCorrelated);
+                assert_conserving(&format!("Smith, {}", surface.name), &model, azimuths);
+                let model = model.with_shadowing(SmithSeparable);
+                assert_conserving(&format!("separable, {}", surface.name), &model, azimuths);
+            }
+        }
+    });
+}
+
+/// Lobes of all exponents with their own constants, and Oren–Nayar's surface of all σ with the
+/// albedo of facets up to which it promises to conserve.
+#[test]
+fn lobes_conserve_energy_at_every_exponent() {
+    let exponents = [1.0, 3.0, 10.0, 100.0, 1e3, 1e4, 1e6, 1e8];
+    exponents.into_par_iter().for_each(|n| {
+        let white = DVec3::ONE;
+        assert_conserving(&format!("Phong {n}"), &Phong::new(white, n).unwrap(), &[0.0]);
+        assert_conserving(&format!("Blinn-Phong {n}"), &BlinnPhong::new(white, n).unwrap(), &[0.0]);
+        assert_conserving(&format!("Schlick {n}"), &SchlickPower::new(white, n).unwrap(), &[0.0]);
+    });
+    for step in 0..=12 {
+        let sigma = FRAC_PI_2 * f64::from(step) / 12.0;
+        let grey = DVec3::splat(0.95);
+        let rough = OrenNayar::new(grey, sigma).unwrap();
+        assert_conserving(&format!("Oren-Nayar {sigma}"), &rough, &[0.0]);
+        let rough = OrenNayar::with_interreflection(grey, sigma).unwrap();
+        assert_conserving(&format!("Oren-Nayar with interreflection {sigma}"), &rough, &[0.0]);
     }
 }

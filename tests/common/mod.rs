@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each test program uses its own part")]
 
 pub mod directions;
+pub mod distributions;
 pub mod measure;
 pub mod models;
 pub mod slopes;

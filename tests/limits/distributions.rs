@@ -1,6 +1,6 @@
-//! Distributions of facet normals: normalisation, Smith's identity, limits, precision, extremes.
+//! Distributions of facet normals: limits, precision, extremes.
 
-use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
 use std::fmt;
 
 use brdf::{
@@ -11,81 +11,7 @@ use glam::{DVec3, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::common::slopes::{Facing, composite};
-
 const ROUGHNESS: [f64; 7] = [1e-4, 1e-2, 0.1, 0.5, 1.0, 3.0, 10.0];
-
-/// ∫ D cosα dω over slopes scaled by the roughness, as a plane around the normal.
-fn mass_in_slopes(distribution: &dyn Distribution<f64>, scale: [f64; 2]) -> f64 {
-    let all = Facing::new(DVec3::Z, scale);
-    all.integral(all.chi, all.psi, 4, |h| distribution.density(h) * h.z)
-}
-
-/// ∫ D cosα dω of an isotropic distribution over the angle, up to a multiple of its width.
-fn mass_in_angle(distribution: &dyn Distribution<f64>, width: f64) -> f64 {
-    let end = (9.0 * width).min(FRAC_PI_2);
-    composite([0.0, end], 4, |angle| {
-        PI * distribution.density(from_spherical(angle, 0.3)) * (2.0 * angle).sin()
-    })
-}
-
-fn assert_one(mass: f64, tolerance: f64, what: &str) {
-    assert!((mass - 1.0).abs() < tolerance, "{what}: {:e} off", mass - 1.0);
-}
-
-#[test]
-fn every_distribution_is_normalised() {
-    for roughness in ROUGHNESS {
-        let scale = [roughness, roughness];
-        let beckmann = Beckmann::new(roughness).unwrap();
-        assert_one(mass_in_slopes(&beckmann, scale), 1e-10, "Beckmann");
-        assert_one(mass_in_slopes(&Ggx::new(roughness).unwrap(), scale), 1e-10, "GGX");
-        assert_one(mass_in_angle(&Gaussian::new(roughness).unwrap(), roughness), 1e-10, "Gaussian");
-        for along_y in ROUGHNESS {
-            let scale = [roughness, along_y];
-            let beckmann = Beckmann::anisotropic(roughness, along_y).unwrap();
-            assert_one(mass_in_slopes(&beckmann, scale), 1e-10, "anisotropic Beckmann");
-            let ggx = Ggx::anisotropic(roughness, along_y).unwrap();
-            assert_one(mass_in_slopes(&ggx, scale), 1e-10, "anisotropic GGX");
-        }
-        let smooth = Beckmann::new(0.7 * roughness).unwrap();
-        let mixture = Mixture::new([(1.0, beckmann), (3.0, smooth)]).unwrap();
-        assert_one(mass_in_slopes(&mixture, scale), 1e-10, "mixture");
-    }
-    for roughness in [1e-8, 1e-6, 0.02, 0.22, 0.224, 0.23, 100.0, 1e4] {
-        assert_one(mass_in_angle(&Gaussian::new(roughness).unwrap(), roughness), 1e-10, "Gaussian");
-    }
-    for exponent in [0.0, 0.5, 1.0, 10.0, 1e3, 1e6, 1e8] {
-        let width = (2.0 / (exponent + 2.0)).sqrt();
-        assert_one(mass_in_angle(&Blinn::new(exponent).unwrap(), width), 1e-10, "Blinn");
-    }
-}
-
-/// ∫ G₁ (ω·h)₊ D dω / cosθ, which is 1 if Λ belongs to D.
-fn visible_part(distribution: &dyn Smith<f64>, scale: [f64; 2], w: DVec3) -> f64 {
-    let facing = Facing::new(w, scale);
-    let area =
-        facing.integral(facing.chi, facing.psi, 4, |h| w.dot(h).max(0.0) * distribution.density(h));
-    area / (w.z + distribution.lambda_cos(w))
-}
-
-#[test]
-fn smith_lambda_belongs_to_its_distribution() {
-    for cos in [1.0, 0.9, 0.5, 0.1, 1e-3, 1e-8, 1e-20_f64] {
-        let w = DVec3::new(0.6, 0.8, 0.0) * (1.0 - cos * cos).sqrt() + DVec3::Z * cos;
-        for x in [1e-3, 0.1, 0.5, 3.0] {
-            for y in [x, 0.3] {
-                let beckmann = Beckmann::anisotropic(x, y).unwrap();
-                assert_one(visible_part(&beckmann, [x, y], w), 1e-8, "Beckmann");
-                let ggx = Ggx::anisotropic(x, y).unwrap();
-                assert_one(visible_part(&ggx, [x, y], w), 1e-8, "GGX");
-                let smooth = Ggx::anisotropic(0.7 * x, 0.5 * y).unwrap();
-                let mixture = Mixture::new([(1.0, ggx), (3.0, smooth)]).unwrap();
-                assert_one(visible_part(&mixture, [x, y], w), 1e-8, "mixture");
-            }
-        }
-    }
-}
 
 #[test]
 fn smith_lambda_at_the_normal_and_at_grazing() {

@@ -4,7 +4,9 @@ use brdf::Brdf;
 use glam::DVec3;
 
 pub mod energy;
+pub mod furnace;
 pub mod hemisphere;
+pub mod normalization;
 pub mod precision;
 pub mod reciprocity;
 

@@ -1,0 +1,83 @@
+//! Areas of facets: every distribution of normals is normalised, and what is visible of it fills
+//! what is visible of the surface, with every shadowing.
+
+mod common;
+
+use brdf::{Blinn, Gaussian, SmithCorrelated, SmithSeparable, VCavity};
+use common::distributions::{with_smith, without_smith};
+use common::measure::furnace::weak_furnace;
+use common::measure::normalization::{projected_area, projected_area_by_angle};
+use glam::DVec3;
+
+/// ∫ D cosα dω = 1 from roughness 10⁻⁴ to 10, isotropic and not.
+#[test]
+fn every_distribution_is_normalised() {
+    let roughness = [1e-4, 1e-3, 0.01, 0.1, 0.3, 0.5, 1.0, 3.0, 10.0];
+    let check = |name: &str, area: f64| {
+        assert!((area - 1.0).abs() < 1e-10, "{name}: {:e} off", area - 1.0);
+    };
+    for x in roughness {
+        for surface in without_smith(x) {
+            check(&surface.name, projected_area(&surface.distribution, surface.scale));
+        }
+        for y in roughness {
+            for surface in with_smith(x, y) {
+                check(&surface.name, projected_area(&surface.distribution, surface.scale));
+            }
+        }
+    }
+    // To the ends of the parameters, and across the change of formula in the Gaussian's sampler.
+    for roughness in [1e-8, 1e-6, 0.02, 0.22, 0.224, 0.23, 100.0, 1e4] {
+        let gaussian = Gaussian::new(roughness).unwrap();
+        check(&format!("Gaussian {roughness}"), projected_area_by_angle(&gaussian, roughness));
+    }
+    for exponent in [0.0, 0.5, 1.0, 10.0, 1e3, 1e6, 1e8_f64] {
+        let width = (2.0 / (exponent + 2.0)).sqrt();
+        let blinn = Blinn::new(exponent).unwrap();
+        check(&format!("Blinn, exponent {exponent}"), projected_area_by_angle(&blinn, width));
+    }
+}
+
+fn viewer(cos: f64) -> DVec3 {
+    DVec3::new(0.6, 0.8, 0.0) * ((1.0 - cos) * (1.0 + cos)).sqrt() + DVec3::Z * cos
+}
+
+fn check_furnace(what: &str, wo: DVec3, total: f64) {
+    assert!((total - 1.0).abs() < 1e-9, "{what} from {wo}: {:e} off", total - 1.0);
+}
+
+/// The weak white furnace of V-shaped cavities, from the normal to cosθ = 10⁻³, off the axes.
+#[test]
+fn facets_that_are_visible_in_v_cavities_fill_the_projected_area() {
+    for x in [1e-3, 0.01, 0.1, 0.3, 1.0] {
+        for wo in [1.0, 0.9, 0.5, 0.1, 0.01, 1e-3].map(viewer) {
+            for surface in without_smith(x) {
+                let total = weak_furnace(&surface.distribution, &VCavity, surface.scale, wo);
+                check_furnace(&surface.name, wo, total);
+            }
+            for surface in with_smith(x, x).into_iter().chain(with_smith(x, 0.2)) {
+                let total = weak_furnace(&surface.distribution, &VCavity, surface.scale, wo);
+                check_furnace(&surface.name, wo, total);
+            }
+        }
+    }
+}
+
+/// That of Smith's shadowing, which holds only with the Λ that belongs to the distribution; to
+/// where cosθ is nothing beside the slopes.
+#[test]
+fn facets_that_are_visible_on_random_surfaces_fill_the_projected_area() {
+    for x in [1e-3, 0.01, 0.1, 0.3, 1.0, 3.0] {
+        for wo in [1.0, 0.9, 0.5, 0.1, 1e-3, 1e-8, 1e-20].map(viewer) {
+            for surface in with_smith(x, x).into_iter().chain(with_smith(x, 0.2)) {
+                let (normals, scale) = (&surface.distribution, surface.scale);
+                check_furnace(
+                    &surface.name,
+                    wo,
+                    weak_furnace(normals, &SmithCorrelated, scale, wo),
+                );
+                check_furnace(&surface.name, wo, weak_furnace(normals, &SmithSeparable, scale, wo));
+            }
+        }
+    }
+}
