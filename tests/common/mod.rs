@@ -3,8 +3,10 @@
 
 pub mod directions;
 pub mod distributions;
+pub mod faulty;
 pub mod measure;
 pub mod models;
+pub mod mutation;
 pub mod slopes;
 pub mod sound;
 pub mod traced;

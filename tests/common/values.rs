@@ -1,10 +1,17 @@
 //! Reference values, computed with 50 digits: `tests/data/values.json`.
 
 use std::path::Path;
+use std::sync::LazyLock;
 
 use brdf::from_spherical;
 use glam::DVec3;
 use serde_json::Value;
+
+static ALL: LazyLock<Value> = LazyLock::new(|| {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/values.json");
+    let text = std::fs::read_to_string(path).expect("the values are in the repository");
+    serde_json::from_str(&text).expect("the values are JSON")
+});
 
 /// One group of cases with the tolerance |got − want| ≤ atol + rtol·|want|.
 pub struct Group {
@@ -24,10 +31,7 @@ pub struct Case<'a> {
 impl Group {
     /// Reads a group and panics if it is not there or empty.
     pub fn read(name: &str) -> Self {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/values.json");
-        let text = std::fs::read_to_string(path).expect("the values are in the repository");
-        let all: Value = serde_json::from_str(&text).expect("the values are JSON");
-        let group = &all["groups"][name];
+        let group = &ALL["groups"][name];
         let number = |key: &str| group[key].as_f64().unwrap_or_else(|| panic!("{name}: no {key}"));
         let cases = group["cases"].as_array().expect("a group has cases").clone();
         assert!(!cases.is_empty(), "{name} is empty");
@@ -66,9 +70,13 @@ impl Case<'_> {
 
     /// Asserts a number.
     pub fn check(&self, key: &str, got: f64) {
+        self.check_number(key, got, self.number(key));
+    }
+
+    /// An output that is a number.
+    pub fn number(&self, key: &str) -> f64 {
         let want = self.output(key).as_f64();
-        let want = want.unwrap_or_else(|| panic!("{}: {key} is not a number", self.name()));
-        self.check_number(key, got, want);
+        want.unwrap_or_else(|| panic!("{}: {key} is not a number", self.name()))
     }
 
     /// Asserts a list of numbers: a vector, a colour.
@@ -82,13 +90,22 @@ impl Case<'_> {
 
     /// Asserts a number that is not an output by itself, with the group's tolerance.
     pub fn check_number(&self, key: &str, got: f64, want: f64) {
+        if let Err(message) = self.compare(key, got, want) {
+            panic!("{message}");
+        }
+    }
+
+    /// The same as an answer, with what is wrong in words.
+    pub fn compare(&self, key: &str, got: f64, want: f64) -> Result<(), String> {
         let tolerance = self.group.atol + self.group.rtol * want.abs();
-        assert!(
-            (got - want).abs() <= tolerance,
-            "{} {key}: got {got:e}, want {want:e}, off by {:e}, allowed {tolerance:e}",
-            self.name(),
-            (got - want).abs()
-        );
+        let off = (got - want).abs();
+        if off <= tolerance {
+            return Ok(());
+        }
+        let name = self.name();
+        Err(format!(
+            "{name} {key}: got {got:e}, want {want:e}, off by {off:e}, allowed {tolerance:e}"
+        ))
     }
 
     fn name(&self) -> String {

@@ -1,0 +1,46 @@
+//! A model over numbers that err, as a model over `f64`.
+
+use brdf::{Brdf, Color, Sample};
+use glam::DVec3;
+
+use super::number::Faulty;
+use super::place::{Fault, armed};
+use super::vector::FaultyVector;
+
+/// A model whose fault is armed while it answers, on whatever thread that is, so that what is
+/// measured of other models can be measured of it.
+pub struct Seeded<M> {
+    pub model: M,
+    pub fault: Option<&'static Fault>,
+}
+
+fn seeded(w: DVec3) -> FaultyVector {
+    Color::<f64>::lift(w, Faulty)
+}
+
+fn plain(w: FaultyVector) -> DVec3 {
+    Color::<Faulty>::lift(w, |component| component.0)
+}
+
+impl<M: Brdf<Faulty, Color = FaultyVector>> Brdf<f64> for Seeded<M> {
+    type Color = DVec3;
+
+    fn eval(&self, wi: DVec3, wo: DVec3) -> DVec3 {
+        armed(self.fault, || plain(self.model.eval(seeded(wi), seeded(wo))))
+    }
+
+    fn pdf(&self, wi: DVec3, wo: DVec3) -> f64 {
+        armed(self.fault, || self.model.pdf(seeded(wi), seeded(wo)).0)
+    }
+
+    fn sample(&self, wo: DVec3, u: [f64; 2]) -> Sample<f64, DVec3> {
+        armed(self.fault, || {
+            let sample = self.model.sample(seeded(wo), u.map(Faulty));
+            Sample { wi: plain(sample.wi), weight: plain(sample.weight), pdf: sample.pdf.0 }
+        })
+    }
+
+    fn albedo(&self, wo: DVec3) -> DVec3 {
+        armed(self.fault, || plain(self.model.albedo(seeded(wo))))
+    }
+}

@@ -1,0 +1,228 @@
+//! Places of the source, and the fault that is active at one of them.
+
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
+use std::panic::Location;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What is computed at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Operation {
+    Literal,
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Neg,
+    Squared,
+    Powi,
+    Powf,
+    Sqrt,
+    Abs,
+    Copysign,
+    Floor,
+    Min,
+    Max,
+    Clamp,
+    Exp,
+    ExpM1,
+    Ln,
+    Ln1p,
+    Sin,
+    Cos,
+    /// The angle that goes in counts as the result.
+    SinCos,
+    Tan,
+    Asin,
+    Acos,
+    Atan2,
+    Erf,
+    Erfc,
+    ErfInv,
+    Select,
+    Less,
+    LessOrEqual,
+    Greater,
+    GreaterOrEqual,
+    And,
+    Or,
+    Not,
+    X,
+    Y,
+    Z,
+    Dot,
+    Cross,
+    LengthSquared,
+    Normalize,
+}
+
+/// An operation at a place of the source.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Place {
+    pub file: &'static str,
+    pub line: u32,
+    /// Where the expression begins, with its parentheses; of a method, where its name begins.
+    pub column: u32,
+    pub operation: Operation,
+    /// In `a · b · c` both products begin at the same column. The first is link 0; the one whose
+    /// left side is the result of link n is link n + 1.
+    pub link: u8,
+}
+
+/// Links beyond are not told apart: a sum in a loop is a chain too.
+const LAST_LINK: u8 = 3;
+
+/// A wrong result at a place.
+#[derive(Debug)]
+pub struct Fault {
+    pub place: Place,
+    /// From the operands (0 for one that is not there) and the right result. Masks are 0 and 1.
+    pub wrong: fn(f64, f64, f64) -> f64,
+    /// Whether the place was reached while the fault was armed.
+    pub fired: AtomicBool,
+}
+
+/// No place begins in this line.
+const NOWHERE: u64 = 0;
+const EVERYWHERE: u64 = u64::MAX;
+
+thread_local! {
+    /// Line and column of the armed fault; all that an operation looks at as a rule.
+    static WATCHED: Cell<u64> = const { Cell::new(NOWHERE) };
+    static ARMED: Cell<Option<&'static Fault>> = const { Cell::new(None) };
+    /// The result at the watched place before this one, and its link.
+    static BEFORE: Cell<(u64, u8)> = const { Cell::new((0, LAST_LINK)) };
+    static RECORD: RefCell<Recorder> = const { RefCell::new(Recorder::new()) };
+}
+
+fn key(line: u32, column: u32) -> u64 {
+    u64::from(line) << 32 | u64::from(column)
+}
+
+/// The result of an operation: the right one, or what the armed fault makes of it here.
+#[inline(always)]
+#[track_caller]
+pub(super) fn at(operation: Operation, left: f64, right: f64, result: f64) -> f64 {
+    let caller = Location::caller();
+    let watched = WATCHED.get();
+    if watched == key(caller.line(), caller.column()) || watched == EVERYWHERE {
+        watch_closely(caller, operation, left, right, result)
+    } else {
+        result
+    }
+}
+
+fn link_after((before, link): (u64, u8), left: f64) -> u8 {
+    if left.to_bits() == before { (link + 1).min(LAST_LINK) } else { 0 }
+}
+
+#[cold]
+#[inline(never)]
+fn watch_closely(
+    caller: &'static Location<'static>,
+    operation: Operation,
+    left: f64,
+    right: f64,
+    result: f64,
+) -> f64 {
+    if WATCHED.get() == EVERYWHERE {
+        RECORD.with_borrow_mut(|recorder| recorder.note(caller, operation, left, result));
+        return result;
+    }
+    let Some(fault) = ARMED.get() else { return result };
+    if operation != fault.place.operation || caller.file() != fault.place.file {
+        return result;
+    }
+    let link = link_after(BEFORE.get(), left);
+    let result = if link == fault.place.link {
+        fault.fired.store(true, Ordering::Relaxed);
+        (fault.wrong)(left, right, result)
+    } else {
+        result
+    };
+    BEFORE.set((result.to_bits(), link));
+    result
+}
+
+/// What this thread watches, to be put back when dropped.
+struct Watch {
+    watched: u64,
+    armed: Option<&'static Fault>,
+}
+
+impl Drop for Watch {
+    fn drop(&mut self) {
+        WATCHED.set(self.watched);
+        ARMED.set(self.armed);
+    }
+}
+
+/// Arms a fault, or none, on this thread until the answer is dropped.
+#[must_use]
+fn watch(fault: Option<&'static Fault>) -> Watch {
+    let watched = fault.map_or(NOWHERE, |fault| key(fault.place.line, fault.place.column));
+    let before = Watch { watched: WATCHED.replace(watched), armed: ARMED.replace(fault) };
+    BEFORE.set((0, LAST_LINK));
+    before
+}
+
+/// Runs something with a fault, or none.
+pub fn armed<A>(fault: Option<&'static Fault>, run: impl FnOnce() -> A) -> A {
+    let _watch = watch(fault);
+    run()
+}
+
+/// Runs something without a fault and tells the places of the crate that it reaches.
+pub fn record(run: impl FnOnce()) -> BTreeSet<Place> {
+    let _watch = watch(None);
+    RECORD.set(Recorder::new());
+    WATCHED.set(EVERYWHERE);
+    run();
+    RECORD.with_borrow_mut(|recorder| std::mem::take(&mut recorder.places))
+}
+
+/// The places reached, and the last result at each line, column and operation.
+struct Recorder {
+    places: BTreeSet<Place>,
+    last: Vec<Last>,
+}
+
+#[derive(Clone, Copy)]
+struct Last {
+    id: u64,
+    result: u64,
+    link: u8,
+    /// One bit for each link already noted.
+    noted: u8,
+}
+
+impl Recorder {
+    const fn new() -> Self {
+        Self { places: BTreeSet::new(), last: Vec::new() }
+    }
+
+    /// Two places that share a slot push each other out and are entered anew, which costs time and
+    /// changes nothing.
+    fn note(
+        &mut self,
+        caller: &'static Location<'static>,
+        operation: Operation,
+        left: f64,
+        result: f64,
+    ) {
+        const SLOTS: usize = 1 << 14;
+        self.last.resize(SLOTS, Last { id: NOWHERE, result: 0, link: LAST_LINK, noted: 0 });
+        let (file, line, column) = (caller.file(), caller.line(), caller.column());
+        let id = (key(line, column) * 64 + operation as u64) ^ (file.len() as u64) << 24;
+        let slot = &mut self.last[(id.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 50) as usize];
+        if slot.id != id {
+            *slot = Last { id, result: 0, link: LAST_LINK, noted: 0 };
+        }
+        slot.link = link_after((slot.result, slot.link), left);
+        slot.result = result.to_bits();
+        if slot.noted >> slot.link & 1 == 0 && file.starts_with("src/") {
+            slot.noted |= 1 << slot.link;
+            self.places.insert(Place { file, line, column, operation, link: slot.link });
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! A seeded bug as data.
+
+use std::fmt;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use rayon::prelude::*;
+
+use super::suite::{Killer, Suite};
+use crate::common::faulty::{Fault, Operation, Place};
+
+/// A wrong result from the operands and the right result.
+pub(super) type Wrong = fn(f64, f64, f64) -> f64;
+
+/// The operand before the sign, or the argument of a function that is left out.
+pub(super) const LEFT: Wrong = |left, _, _| left;
+/// The operand behind the sign.
+pub(super) const RIGHT: Wrong = |_, right, _| right;
+/// + for −.
+pub(super) const PLUS: Wrong = |left, right, _| left + right;
+/// − for +.
+pub(super) const MINUS: Wrong = |left, right, _| left - right;
+/// A quotient turned round.
+pub(super) const TURNED: Wrong = |left, right, _| right / left;
+/// A factor of 1 where there is another.
+pub(super) const ONE: Wrong = |_, _, _| 1.0;
+/// The opposite answer of a comparison.
+pub(super) const NOT: Wrong = |_, _, result| 1.0 - result;
+/// The opposite sign.
+pub(super) const NEGATIVE: Wrong = |_, _, result| -result;
+
+/// A seeded bug.
+#[derive(Clone, Copy, Debug)]
+pub struct Mutant {
+    /// The models that it breaks, as a reader would group them.
+    pub family: &'static str,
+    /// The physics that it gets wrong.
+    pub meaning: &'static str,
+    file: &'static str,
+    /// A piece of the file that stands there once, with ▸ where the expression, with its
+    /// parentheses, or the name of the method begins.
+    text: &'static str,
+    operation: Operation,
+    link: u8,
+    wrong: Wrong,
+}
+
+/// What became of a mutant.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    pub mutant: &'static Mutant,
+    /// Whether its place was reached at all. One that was not proves nothing.
+    pub fired: bool,
+    pub killers: Vec<Killer>,
+}
+
+impl Mutant {
+    pub(super) const fn new(
+        family: &'static str,
+        meaning: &'static str,
+        file: &'static str,
+        text: &'static str,
+        operation: Operation,
+        wrong: Wrong,
+    ) -> Self {
+        Self { family, meaning, file, text, operation, link: 0, wrong }
+    }
+
+    /// The same in a later link of `a · b · c`.
+    pub(super) const fn link(mut self, link: u8) -> Self {
+        self.link = link;
+        self
+    }
+
+    /// Its place, found by reading the source.
+    ///
+    /// # Panics
+    /// If the source does not contain the text exactly once.
+    pub fn place(&self) -> Place {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(self.file);
+        let source = std::fs::read_to_string(path).expect("the source is in the repository");
+        let (before, after) = self.text.split_once('▸').expect("the place is marked");
+        let text = format!("{before}{after}");
+        let mut found = source.match_indices(&text).map(|(at, _)| at);
+        let (at, other) = (found.next(), found.next());
+        let at = at.unwrap_or_else(|| panic!("{} has no {:?}", self.file, self.text));
+        assert_eq!(other, None, "{} has {:?} more than once", self.file, self.text);
+        let above = &source[..at + before.len()];
+        let number = |count: usize| u32::try_from(count).expect("a source is short") + 1;
+        let line = number(above.matches('\n').count());
+        let column = number(above.rsplit('\n').next().expect("a part").chars().count());
+        Place { file: self.file, line, column, operation: self.operation, link: self.link }
+    }
+}
+
+impl Outcome {
+    pub fn killed(&self) -> bool {
+        self.fired && !self.killers.is_empty()
+    }
+}
+
+/// Runs the checks on the crate with each of some bugs: up to the first that fails, or all.
+pub fn run(
+    suite: &Suite,
+    mutants: impl Iterator<Item = &'static Mutant>,
+    exhaustive: bool,
+) -> Vec<Outcome> {
+    let mutants: Vec<_> = mutants.collect();
+    let outcome = |mutant: &&'static Mutant| {
+        let place = mutant.place();
+        let fault = Fault { place, wrong: mutant.wrong, fired: AtomicBool::new(false) };
+        // Models that were built with the fault may be anywhere; it is a few words.
+        let fault: &'static Fault = Box::leak(Box::new(fault));
+        let killers = suite.killers(fault, exhaustive);
+        Outcome { mutant, fired: fault.fired.load(Ordering::Relaxed), killers }
+    };
+    mutants.par_iter().map(outcome).collect()
+}
+
+/// The bug and what found it.
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Mutant { family, meaning, .. } = self.mutant;
+        write!(f, "{family}: {meaning}: ")?;
+        for (index, killer) in self.killers.iter().enumerate() {
+            let comma = if index > 0 { ", " } else { "" };
+            write!(f, "{comma}{}", killer.check)?;
+            if let Some(model) = killer.model {
+                write!(f, " ({model})")?;
+            }
+        }
+        f.write_str(match self.killers.len() {
+            0 if self.fired => "SURVIVED",
+            0 => "NEVER REACHED",
+            _ => "",
+        })
+    }
+}

@@ -1,0 +1,155 @@
+//! The checks that a seeded bug has to get past, quickest first.
+
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use brdf::Brdf;
+use glam::DVec3;
+
+use super::{formulas, laws};
+use crate::common::faulty::{Fault, Faulty, Place, Seeded, armed, record};
+use crate::common::models::{self, Gain};
+
+/// What a check says: nothing, or what is wrong in words.
+pub type Verdict = Result<(), Box<dyn Error>>;
+
+pub(super) fn fail(what: String) -> Verdict {
+    Err(what.into())
+}
+
+/// A model of the registry with what it promises.
+pub struct Subject {
+    pub name: &'static str,
+    pub model: Box<dyn Brdf<f64, Color = DVec3>>,
+    pub type_name: &'static str,
+    pub reciprocal: bool,
+    pub gain: Option<Gain>,
+}
+
+impl Subject {
+    /// No direction is drawn from two places of the unit square. Where one of several models or
+    /// distributions is drawn from, it is.
+    pub fn one_to_one(&self) -> bool {
+        !self.type_name.contains("WeightedSum") && !self.type_name.contains("Mixture")
+    }
+}
+
+/// What holds for every model of the registry.
+type Law = fn(&Subject) -> Verdict;
+const LAWS: [(&str, Law); 6] = [
+    ("samples agree with value and density", laws::samples_agree),
+    ("density is the inverse Jacobian", laws::density_is_the_jacobian),
+    ("reciprocity", laws::reciprocity),
+    ("robustness", laws::robustness),
+    ("energy", laws::energy),
+    ("moments of samples", laws::moments_of_samples),
+];
+
+/// A check that rejected a mutant.
+#[derive(Clone, Debug)]
+pub struct Killer {
+    pub check: &'static str,
+    /// The model of the registry that it looked at, if it did.
+    pub model: Option<&'static str>,
+    pub message: String,
+}
+
+/// All checks, with the places of the source that each of them reaches.
+pub struct Suite {
+    formulas: Vec<BTreeSet<Place>>,
+    models: Vec<BTreeSet<Place>>,
+}
+
+impl Suite {
+    /// Runs without a fault and notes what is reached.
+    pub fn new() -> Self {
+        let formulas = formulas::ALL.iter().map(|(_, check)| record(|| drop(check())));
+        let probe = |entry: &models::Entry<Faulty>| {
+            let subject = Seeded { model: &*entry.model, fault: None };
+            record(|| laws::probe(&subject))
+        };
+        Self {
+            formulas: formulas.collect(),
+            models: models::all::<Faulty>().iter().map(probe).collect(),
+        }
+    }
+
+    /// Every place that some check reaches.
+    pub fn places(&self) -> BTreeSet<Place> {
+        let constructors = record(|| drop(models::all::<Faulty>()));
+        let all = self.formulas.iter().chain(&self.models).flatten().copied();
+        all.chain(constructors).collect()
+    }
+
+    /// The checks that reject the crate with a fault in it: the first one, or all.
+    pub fn killers(&self, fault: &'static Fault, exhaustive: bool) -> Vec<Killer> {
+        let mut killers = self.wrong_formulas(Some(fault), exhaustive);
+        if exhaustive || killers.is_empty() {
+            killers.extend(self.lawbreakers(Some(fault), exhaustive));
+        }
+        killers
+    }
+
+    /// What the checks reject although nothing is wrong.
+    pub fn false_alarms(&self) -> Vec<Killer> {
+        let mut alarms = self.wrong_formulas(None, true);
+        alarms.extend(self.lawbreakers(None, true));
+        alarms
+    }
+
+    fn wrong_formulas(&self, fault: Option<&'static Fault>, exhaustive: bool) -> Vec<Killer> {
+        let wrong =
+            formulas::ALL.iter().zip(&self.formulas).filter_map(|((check, run), places)| {
+                let reached = fault.is_none_or(|fault| places.contains(&fault.place));
+                let message = reached.then(|| quietly(|| armed(fault, run)).err())??;
+                Some(Killer { check, model: None, message })
+            });
+        wrong.take(if exhaustive { usize::MAX } else { 1 }).collect()
+    }
+
+    /// The laws that a model breaks, each with the first model that does.
+    fn lawbreakers(&self, fault: Option<&'static Fault>, exhaustive: bool) -> Vec<Killer> {
+        let built = catch_unwind(|| armed(fault, models::all::<Faulty>));
+        let Ok(entries) = built else {
+            let message = "a constructor refuses its parameters".to_owned();
+            return vec![Killer { check: "the registry can be built", model: None, message }];
+        };
+        // A place that no answer of a model reaches may lie in its constructor.
+        let reached =
+            |places: &BTreeSet<Place>| fault.is_none_or(|fault| places.contains(&fault.place));
+        let any = self.models.iter().any(reached);
+        let subjects: Vec<_> = entries
+            .into_iter()
+            .zip(&self.models)
+            .filter(|(_, places)| !any || reached(places))
+            .map(|(entry, _)| Subject {
+                name: entry.name,
+                reciprocal: entry.reciprocal,
+                type_name: entry.type_name,
+                gain: entry.gain,
+                model: Box::new(Seeded { model: entry.model, fault }),
+            })
+            .collect();
+        let mut killers = Vec::new();
+        for (check, law) in LAWS {
+            let broken = subjects.iter().find_map(|subject| {
+                let message = quietly(|| law(subject)).err()?;
+                Some(Killer { check, model: Some(subject.name), message })
+            });
+            killers.extend(broken);
+            if !exhaustive && !killers.is_empty() {
+                break;
+            }
+        }
+        killers
+    }
+}
+
+/// The verdict of a check; a panic is one too.
+fn quietly(check: impl FnOnce() -> Verdict) -> Result<(), String> {
+    match catch_unwind(AssertUnwindSafe(check)) {
+        Ok(verdict) => verdict.map_err(|error| error.to_string()),
+        Err(_) => Err("panics".to_owned()),
+    }
+}

@@ -1,0 +1,24 @@
+//! Bugs seeded on purpose, one at a time: the checks find every one.
+
+mod common;
+
+use common::mutation::suite::Suite;
+use common::mutation::{mutants, run};
+
+/// Otherwise a rejected mutant would say nothing.
+#[test]
+fn the_checks_pass_where_nothing_is_wrong() {
+    let alarms = Suite::new().false_alarms();
+    assert!(alarms.is_empty(), "{alarms:#?}");
+}
+
+#[test]
+fn every_mutant_is_killed() {
+    let outcomes = run(&Suite::new(), mutants(), false);
+    for outcome in &outcomes {
+        println!("{outcome}");
+    }
+    assert!(outcomes.len() >= 20);
+    let alive: Vec<_> = outcomes.iter().filter(|outcome| !outcome.killed()).collect();
+    assert!(alive.is_empty(), "{} of {}: {alive:#?}", alive.len(), outcomes.len());
+}
