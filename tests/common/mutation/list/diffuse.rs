@@ -19,7 +19,7 @@ pub(super) static MUTANTS: [Mutant; 18] = [
     Mutant::new("Lambert", "samples crowd at the normal: the radius without its root", SAMPLING,
         "let radius = radius_squared.▸sqrt();", Sqrt, LEFT),
     Mutant::new("Lambert", "samples in one half of the azimuths: π for 2π", SAMPLING,
-        "(u[1] * ▸T::lit(core::f64::consts::TAU)).sin_cos()", Literal, |_, _, _| std::f64::consts::PI),
+        "(turn * ▸T::lit(core::f64::consts::TAU)).sin_cos()", Literal, |_, _, _| std::f64::consts::PI),
     Mutant::new("Oren–Nayar", "f without 1/π", OREN_NAYAR,
         "let value = ▸T::lit(FRAC_1_PI) * self.relative(wi, wo);", Literal, ONE),
     Mutant::new("Oren–Nayar", "σ for σ²", OREN_NAYAR,

@@ -39,7 +39,7 @@ pub(super) static MUTANTS: [Mutant; 22] = [
     Mutant::new("Blinn–Phong", "density of half vectors without the cosine", BLINN_PHONG,
         "half_vector_power(pair, ▸self.exponent + one)", Add, LEFT),
     Mutant::new("Blinn–Phong", "half vectors of the power n", BLINN_PHONG,
-        "let versine = -((-u[0]).ln_1p() / ▸(self.exponent + two)).exp_m1();", Add, LEFT),
+        "let versine = -((-u).ln_1p() / ▸(self.exponent + two)).exp_m1();", Add, LEFT),
     Mutant::new("Schlick's power", "sign in S/(h − hS + S)", SCHLICK,
         "cos / ▸(self.exponent * versine + cos)", Add, MINUS),
     Mutant::new("Schlick's power", "constant without 1/π", SCHLICK,

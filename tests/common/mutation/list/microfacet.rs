@@ -12,6 +12,7 @@ const BLINN: &str = "src/microfacet/blinn.rs";
 const BLINN_1977: &str = "src/microfacet/blinn_1977.rs";
 const COOK_TORRANCE: &str = "src/microfacet/cook_torrance.rs";
 const GAUSSIAN: &str = "src/microfacet/gaussian.rs";
+const TILTS: &str = "src/microfacet/gaussian_tilts.rs";
 const GGX: &str = "src/microfacet/ggx.rs";
 const HISTORICAL: &str = "src/microfacet/historical.rs";
 const MIXTURE: &str = "src/microfacet/mixture.rs";
@@ -47,17 +48,17 @@ pub(super) static MUTANTS: [Mutant; 37] = [
     Mutant::new("GGX", "visible normals: the cap without its root", GGX,
         "let sin = (below_top * (above_rim + one_minus_s_z)).▸sqrt();", Sqrt, LEFT),
     Mutant::new("GGX", "visible normals in one half of the azimuths: π for 2π", GGX,
-        "(u[0] * ▸T::lit(TAU)).sin_cos();", Literal, |_, _, _| PI),
+        "let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();\n        let (sin_phi, cos_phi) = (turn * ▸T::lit(TAU)).sin_cos();", Literal, |_, _, _| PI),
     Mutant::new("GGX", "stretched viewer not normalised", ROUGHNESS,
         "        ▸Vector::normalize_or_normal(stretched)", Normalize, LEFT),
-    Mutant::new("Gaussian", "the constant 1/(π m²), right for small m only", GAUSSIAN,
-        "let whole = ▸facets(roughness, T::lit(0.0), last(roughness)) * roughness.squared();", Mul, RIGHT),
+    Mutant::new("Gaussian", "the constant 1/(π m²), right for small m only: sin 2α/(2α) taken for 1", TILTS,
+        "first = ▸T::lit(SINE[k])", Literal, |coefficient, _, _| f64::from(u8::from(coefficient == 1.0))),
     Mutant::new("Gaussian", "constant without 1/π", GAUSSIAN,
-        "peak: T::lit(1.0) / (▸T::lit(PI) * whole)", Literal, ONE),
+        "peak: ▸T::lit(4.0 / (PI * PI * PI))", Literal, |_, _, _| 4.0 / (PI * PI)),
     Mutant::new("Gaussian", "α/m for (α/m)²", GAUSSIAN,
         "let exponent = (angle / self.roughness).▸squared()", Squared, LEFT),
-    Mutant::new("Gaussian", "samples of the angle without sin 2α", GAUSSIAN,
-        "let density = (-t).exp() * ▸(double.sin() / double) * scale;", Div, |_, _, _| 0.1),
+    Mutant::new("Gaussian", "samples from beyond the horizon", TILTS,
+        "let more = ▸exponential * (self.front - sum) - self.beyond;", Sub, LEFT),
     Mutant::new("Blinn", "n + 1 for n + 2 in D", BLINN,
         "let peak = (self.exponent + ▸T::lit(2.0)) * T::lit(0.5 * FRAC_1_PI);", Literal, ONE),
     Mutant::new("Blinn", "samples of the power n", BLINN,
