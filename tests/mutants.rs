@@ -2,8 +2,9 @@
 
 mod common;
 
+use common::mutation::list::mutants;
+use common::mutation::mutant::run;
 use common::mutation::suite::Suite;
-use common::mutation::{mutants, run};
 
 /// Otherwise a rejected mutant would say nothing.
 #[test]

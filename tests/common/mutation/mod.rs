@@ -5,12 +5,11 @@
 
 mod formulas;
 mod laws;
-mod list;
-mod mutant;
+pub mod list;
+pub mod mutant;
 pub mod suite;
 
-pub use list::mutants;
-pub use mutant::{Outcome, run};
+use mutant::Outcome;
 
 /// How many of the mutants of a family the checks killed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
