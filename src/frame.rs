@@ -32,7 +32,7 @@ impl<V> Frame<V> {
         V: Vector<T>,
     {
         let one = T::lit(1.0);
-        let n = unit(normal);
+        let n = unit_or(normal, V::new(T::lit(0.0), T::lit(0.0), one));
         let sign = one.copysign(n.z());
         let a = -one / (sign + n.z());
         let b = n.x() * n.y() * a;
@@ -44,7 +44,7 @@ impl<V> Frame<V> {
     }
 
     /// The frame around a normal whose tangent is the given one, made perpendicular. Where the
-    /// tangent has no direction across the normal (less than 10⁻⁴ of its length), this is
+    /// tangent has no direction, or none across the normal (less than 10⁻⁴ of its length), this is
     /// [`from_normal`](Self::from_normal).
     #[must_use]
     pub fn from_normal_and_tangent<T: Real>(normal: V, tangent: V) -> Self
@@ -53,7 +53,7 @@ impl<V> Frame<V> {
     {
         let around = Self::from_normal(normal);
         let n = around.normal;
-        let t = unit(tangent);
+        let t = unit_or(tangent, n);
         let across = t - n * Vector::dot(t, n);
         // Below this length rounding, not the tangent, would decide the direction.
         let usable = Vector::length_squared(across).gt(T::lit(1e-8));
@@ -115,12 +115,14 @@ impl<V> Frame<V> {
     }
 }
 
-/// The unit vector of the same direction, for vectors of any finite length; +z where there is no
-/// direction.
-fn unit<T: Real, V: Vector<T>>(v: V) -> V {
+/// The unit vector of the same direction, for vectors of any finite length; another one where there
+/// is no direction.
+fn unit_or<T: Real, V: Vector<T>>(v: V, otherwise: V) -> V {
     let largest = v.x().abs().max(v.y().abs()).max(v.z().abs());
     let usable = largest.gt(T::lit(1e-37)).and(largest.le(T::max_finite()));
     let scale = T::lit(1.0) / T::select(usable, largest, T::lit(1.0));
-    let normal = V::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-    Vector::normalize_or_normal(V::select(usable, v * scale, normal))
+    let scaled = v * scale;
+    // The largest of numbers and NaN may be a number; the sum of their squares is NaN.
+    let usable = usable.and(Vector::length_squared(scaled).gt(T::lit(0.5)));
+    Vector::normalize_or_normal(V::select(usable, scaled, otherwise))
 }
