@@ -5,6 +5,7 @@ mod common;
 
 mod distribution_samples;
 mod distributions;
+mod equivalences;
 mod fresnel;
 mod fresnel_approximations;
 mod fresnel_averages;
