@@ -75,14 +75,11 @@ pub fn energy(model: &Model64, count: u32, tolerance: f64) -> Energy {
         .map(|(theta, phi)| (theta, albedo(model, from_spherical(theta, phi), tolerance)))
         .collect();
     let cells = found.iter().map(|(_, integral)| integral.cells).max().unwrap_or(0);
-    let largest =
-        found.iter().max_by(|a, b| a.1.value.max_element().total_cmp(&b.1.value.max_element()));
-    largest.map_or(Energy { maximum: 0.0, degrees: 0.0, error: 0.0, cells }, |(theta, integral)| {
-        Energy {
-            maximum: integral.value.max_element(),
-            degrees: theta.to_degrees(),
-            error: integral.error,
-            cells,
-        }
-    })
+    let brightest = |integral: &Integral| integral.value.max_element();
+    let maximum = found.iter().map(|(_, integral)| brightest(integral)).fold(0.0, f64::max);
+    // Of equal ones the first.
+    let first = found.iter().find(|(_, integral)| maximum - brightest(integral) <= 1e-9);
+    let (degrees, error) =
+        first.map_or((0.0, 0.0), |(theta, integral)| (theta.to_degrees(), integral.error));
+    Energy { maximum, degrees, error, cells }
 }

@@ -64,12 +64,14 @@ const ROUNDINGS: f64 = 3.0;
 /// - the change while the argument of an exponential moves by its roundings, which counts by how
 ///   many powers of e the value lies below the `peak` of the model: the roughness or the exponent
 ///   came with such an error too;
-/// - the least normal number of `f32`, below which there are no digits.
+/// - the least normal number of `f32`, below which there are no digits, also as the factor of a
+///   visibility of up to 1/(4 cosθᵢ cosθₒ).
 fn bound(value: DVec3, peak: f64, at: impl Fn(DVec3, DVec3) -> DVec3, wi: Vec3, wo: Vec3) -> DVec3 {
     let tiny = f64::from(f32::MIN_POSITIVE);
     let depth = (peak / value.max_element().max(tiny)).ln();
     let unit = 0.5 * f64::from(f32::EPSILON);
-    let mut bound = value * (RELATIVE + ROUNDINGS * unit * depth) + DVec3::splat(tiny);
+    let visibility = (0.25 / (f64::from(wi.z) * f64::from(wo.z))).max(1.0);
+    let mut bound = value * (RELATIVE + ROUNDINGS * unit * depth) + DVec3::splat(tiny * visibility);
     for component in 0..6 {
         let mut largest = DVec3::ZERO;
         for side in [-0.5 * ROUNDINGS, 0.5 * ROUNDINGS] {
