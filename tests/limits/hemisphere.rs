@@ -9,6 +9,8 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
+use crate::common::measure::hemisphere::{cells, integrate as cubature};
+
 pub(crate) type Model = Box<dyn Brdf<f64, Color = f64>>;
 
 /// The integral over a piece of the sphere, θ and φ in the given ranges.
@@ -19,22 +21,13 @@ fn patch(theta: [f64; 2], phi: [f64; 2], formula: impl Fn(DVec3) -> f64) -> f64 
     })
 }
 
-/// ∫ f cosθᵢ dωᵢ for a viewer at azimuth 0, in patches that end where models have kinks: at the
-/// polar angle of the viewer and across its azimuth.
-pub(crate) fn albedo(model: &dyn Brdf<f64, Color = f64>, theta_o: f64) -> f64 {
+/// ∫ f cosθᵢ dωᵢ for a viewer at azimuth 0, with an error below `tolerance`.
+pub(crate) fn albedo(model: &dyn Brdf<f64, Color = f64>, theta_o: f64, tolerance: f64) -> f64 {
     let wo = from_spherical(theta_o, 0.0);
-    let mut sum = 0.0;
-    for [start, end] in [[0.0, theta_o], [theta_o, FRAC_PI_2]] {
-        let step = (end - start) / 4.0;
-        for ring in 0..4 {
-            let theta = [start + step * f64::from(ring), start + step * f64::from(ring + 1)];
-            for sector in 0..8 {
-                let phi = [f64::from(sector) / 8.0 * TAU, f64::from(sector + 1) / 8.0 * TAU];
-                sum += patch(theta, phi, |wi| model.eval(wi, wo) * wi.z);
-            }
-        }
-    }
-    sum
+    let light = |wi: DVec3| DVec3::splat(model.eval(wi, wo) * wi.z);
+    let integral = cubature(wo, &cells(model, wo), light, |_, error| error <= tolerance);
+    assert!(integral.error <= tolerance, "{theta_o}: {integral:?}");
+    integral.value.x
 }
 
 const RINGS: usize = 12;

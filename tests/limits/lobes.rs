@@ -120,29 +120,30 @@ fn oren_nayar_albedo_is_the_integral() {
     for sigma in [0.1, 0.3, 0.8, FRAC_PI_2] {
         let model = OrenNayar::with_interreflection(1.0, sigma).unwrap();
         for theta in ANGLES {
-            let (got, want) = (model.albedo(from_spherical(theta, 0.7)), albedo(&model, theta));
-            assert!((got - want).abs() < 1e-9 * want, "σ {sigma} θ {theta}: {got}, {want}");
+            let (got, want) =
+                (model.albedo(from_spherical(theta, 0.7)), albedo(&model, theta, 1e-10));
+            assert!((got - want).abs() < 2e-10, "σ {sigma} θ {theta}: {got}, {want}");
         }
     }
 }
 
-/// Each closed or one-dimensional albedo against the double integral of f; the latter has kinks at
-/// R·V = 0 that cost it digits for the smallest exponents.
+/// Each closed or one-dimensional albedo against the double integral of f. The edge of the lobe at
+/// R·V = 0 is a jump for exponent 0 and a steep rim for small ones, which cost the latter digits.
 #[test]
 fn albedo_is_the_integral() {
     for (name, lobe) in lobes() {
         for n in EXPONENTS {
             let bound = match n {
-                n if n < 1.0 => 3e-4,
+                n if n < 1.0 => 1e-4,
                 n if n < 5.0 => 1e-6,
-                _ => 2e-7,
+                _ => 1e-8,
             };
             let model = lobe(n);
             for theta in ANGLES {
                 let got = model.albedo(from_spherical(theta, 2.0));
-                let want = albedo(&*model, theta);
+                let want = albedo(&*model, theta, bound);
                 let context = format!("{name} n {n} θ {theta}: {got} against {want}");
-                assert!((got - want).abs() < bound * want, "{context}");
+                assert!((got - want).abs() < bound + 1e-9, "{context}");
             }
         }
     }
@@ -164,7 +165,7 @@ fn normalized_lobes_conserve_energy() {
                 assert!(got <= 1.0 + bound, "{name} n {n} θ {theta}: {got}");
             }
             if (0.5..=100.0).contains(&n) {
-                let integral = albedo(&*model, 0.0);
+                let integral = albedo(&*model, 0.0, 1e-10);
                 assert!((integral - 1.0).abs() < 1e-9, "{name} n {n}: {integral}");
             }
         }
@@ -175,22 +176,23 @@ fn normalized_lobes_conserve_energy() {
 /// all lobes have their maximum.
 #[test]
 fn other_constants_do_not_conserve() {
-    let popular = |n: f64| (n + 8.0) / (8.0 * PI) * albedo(&*unnormalized_blinn_phong(n), 0.0);
-    let of_phong = |n: f64| (n + 2.0) / TAU * albedo(&*unnormalized_schlick_power(n), 0.0);
+    let at_normal = |model: &dyn Brdf<f64, Color = f64>| albedo(model, 0.0, 1e-6);
+    let popular = |n: f64| (n + 8.0) / (8.0 * PI) * at_normal(&*unnormalized_blinn_phong(n));
+    let of_phong = |n: f64| (n + 2.0) / TAU * at_normal(&*unnormalized_schlick_power(n));
     let cases = [
         ("(n + 8)/(8π)", popular(1.0), 1.024),
         ("(n + 8)/(8π)", popular(10.0), 1.075),
         ("(n + 8)/(8π)", popular(100.0), 1.018),
         ("Schlick's power with Phong's constant", of_phong(10.0), 1.642),
         ("Schlick's power with Phong's constant", of_phong(100.0), 3.285),
-        ("classic Phong", albedo(&*classic_phong(0.0), 0.0), TAU),
-        ("classic Phong", albedo(&*classic_phong(1.0), 0.0), PI),
-        ("unnormalised Blinn-Phong", albedo(&*unnormalized_blinn_phong(0.0), 0.0), PI),
-        ("unnormalised Blinn-Phong", albedo(&*unnormalized_blinn_phong(10.0), 0.0), 1.5006),
-        ("unnormalised Blinn-Phong", albedo(&*unnormalized_blinn_phong(18.7), 0.0), 1.000),
-        ("unnormalised Schlick's power", albedo(&*unnormalized_schlick_power(0.0), 0.0), PI),
-        ("unnormalised Schlick's power", albedo(&*unnormalized_schlick_power(1.0), 0.0), 2.0944),
-        ("unnormalised Schlick's power", albedo(&*unnormalized_schlick_power(10.0), 0.0), 0.8598),
+        ("classic Phong", at_normal(&*classic_phong(0.0)), TAU),
+        ("classic Phong", at_normal(&*classic_phong(1.0)), PI),
+        ("unnormalised Blinn-Phong", at_normal(&*unnormalized_blinn_phong(0.0)), PI),
+        ("unnormalised Blinn-Phong", at_normal(&*unnormalized_blinn_phong(10.0)), 1.5006),
+        ("unnormalised Blinn-Phong", at_normal(&*unnormalized_blinn_phong(18.7)), 1.000),
+        ("unnormalised Schlick's power", at_normal(&*unnormalized_schlick_power(0.0)), PI),
+        ("unnormalised Schlick's power", at_normal(&*unnormalized_schlick_power(1.0)), 2.0944),
+        ("unnormalised Schlick's power", at_normal(&*unnormalized_schlick_power(10.0)), 0.8598),
     ];
     for (name, got, want) in cases {
         assert!((got - want).abs() < 6e-4, "{name}: {got}, {want}");
@@ -216,20 +218,9 @@ fn modified_phong_loses_what_sinks_below_the_surface() {
     }
 }
 
+/// The lobe of 1975 differs from its reverse by the ratio of the cosines.
 #[test]
-fn reciprocity_to_the_bit_but_not_of_1975() {
-    let models: [Box<dyn Brdf<Color = f32>>; 4] = [
-        Box::new(OrenNayar::new(0.9_f32, 0.4).unwrap()),
-        Box::new(Phong::new(0.9_f32, 70.0).unwrap()),
-        Box::new(BlinnPhong::new(0.9_f32, 70.0).unwrap()),
-        Box::new(SchlickPower::new(0.9_f32, 70.0).unwrap()),
-    ];
-    for (wi, wo) in pairs(5000) {
-        let (wi, wo) = (wi.as_vec3(), wo.as_vec3());
-        for (index, model) in models.iter().enumerate() {
-            assert_eq!(model.eval(wi, wo), model.eval(wo, wi), "model {index} at {wi} {wo}");
-        }
-    }
+fn the_lobe_of_1975_is_not_reciprocal() {
     let (wi, wo) = near_mirror(0.9, 0.3);
     let classic = classic_phong(10.0);
     let ratio = classic.eval(wi, wo) / classic.eval(wo, wi);

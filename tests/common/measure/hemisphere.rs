@@ -7,9 +7,8 @@
 use std::collections::BinaryHeap;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use brdf::{Brdf, Color};
 use glam::{DVec2, DVec3};
-
-use super::Model64;
 
 /// Positive nodes of Kronrod's rule of 15, with its weight and that of Gauss's rule of 7.
 const NODES: [(f64, f64, f64); 8] = [
@@ -85,7 +84,7 @@ const PILOTS: u32 = 1597;
 const STEP: u32 = 987;
 
 /// Cells that each hold a few of a model's samples for `wo`, each [low corner, high corner].
-pub fn cells(model: &Model64, wo: DVec3) -> Vec<[DVec2; 2]> {
+pub fn cells<C: Color<f64>>(model: &dyn Brdf<f64, Color = C>, wo: DVec3) -> Vec<[DVec2; 2]> {
     let chart = Chart::new(wo);
     let place = |number: u32| (f64::from(number) + 0.5) / f64::from(PILOTS);
     let samples =
