@@ -174,10 +174,17 @@ fn metal<T: Real>(name: &str) -> Result<Conductor<T::Vec3>, Problem> {
     use alloc::format;
     use alloc::string::ToString;
 
-    use crate::materials::{Kind, find};
+    use super::parse::beginning;
+    use crate::materials::{Kind, LookupError, find};
     use crate::real::Vector;
 
-    let material = find(name).map_err(|error| Problem::Metal(error.to_string()))?;
+    let material = find(name).map_err(|error| {
+        let error = match error {
+            LookupError::Unknown { name } => LookupError::Unknown { name: beginning(&name) },
+            ambiguous => ambiguous,
+        };
+        Problem::Metal(error.to_string())
+    })?;
     if material.kind() == Kind::Dielectric {
         return Err(Problem::Metal(format!(
             "{} is no metal; describe it as a dielectric by its index",

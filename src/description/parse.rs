@@ -92,7 +92,7 @@ impl Visitor<'_> for Word<'_> {
 }
 
 /// As much of a text as an error message should repeat, longer than every name.
-fn beginning(text: &str) -> String {
+pub(super) fn beginning(text: &str) -> String {
     match text.char_indices().nth(40) {
         None => text.into(),
         Some((end, _)) => String::from(&text[..end]) + "…",
@@ -157,7 +157,7 @@ impl<'de> Parse<'de> for String {
                 f.write_str("a text")
             }
             fn visit_str<E>(self, value: &str) -> Result<String, E> {
-                Ok(beginning(value))
+                Ok(value.into())
             }
         }
         from.deserialize_str(Name)

@@ -1,6 +1,9 @@
 //! Deep and long descriptions: an error, in every format, and on a small stack.
 
-use brdf::description::{BrdfDescription, DistributionDescription, MAX_DEPTH, MAX_TERMS};
+use brdf::Fresnel;
+use brdf::description::{
+    BrdfDescription, DistributionDescription, FresnelDescription, MAX_DEPTH, MAX_TERMS,
+};
 
 /// Sums in sums, `depth` of them.
 fn nested_sums(depth: usize) -> String {
@@ -101,7 +104,7 @@ fn announced_lengths_are_not_believed() {
     let color = b"\xa1\x67lambert\xa1\x66albedo\x9b\x7f\xff\xff\xff\xff\xff\xff\xff";
     assert!(ciborium::from_reader::<BrdfDescription, _>(&color[..]).is_err());
     let name = b"\xa1\x65metal\x7b\x7f\xff\xff\xff\xff\xff\xff\xff";
-    assert!(ciborium::from_reader::<brdf::description::FresnelDescription, _>(&name[..]).is_err());
+    assert!(ciborium::from_reader::<FresnelDescription, _>(&name[..]).is_err());
 }
 
 /// Error messages stay short whatever the key.
@@ -110,4 +113,27 @@ fn long_keys_are_not_repeated() {
     let text = format!(r#"{{"{}": 1}}"#, "k".repeat(1_000_000));
     let error = serde_json::from_str::<BrdfDescription>(&text).expect_err("unknown").to_string();
     assert!(error.len() < 400, "{}", error.len());
+}
+
+/// Nor whatever the name of a metal, read or built.
+#[test]
+fn long_names_are_not_repeated() {
+    let description = FresnelDescription::Metal("\n".repeat(60) + &"W".repeat(1_000_000));
+    let built = description.build::<f64>().err().expect("unknown").to_string();
+    assert_eq!(built, format!("metal: no material is called \"{}…\"", "W".repeat(40)));
+    let text = serde_json::to_string(&description).expect("it can be written");
+    let read = serde_json::from_str::<FresnelDescription>(&text).expect_err("unknown").to_string();
+    assert_eq!(read, built);
+}
+
+/// A metal whose name stands between many spaces was found when built, but not when read again.
+#[test]
+fn a_name_is_read_as_it_was_written() {
+    let spaces = "\n".repeat(60);
+    let description = FresnelDescription::Metal(format!("{spaces}W{spaces}"));
+    let normal = description.build::<f64>().expect("tungsten").reflectance(1.0);
+    assert!(normal.x > 0.4 && normal.x < 0.6, "{normal}");
+    let text = serde_json::to_string(&description).expect("it can be written");
+    let read: FresnelDescription = serde_json::from_str(&text).expect("it can be read");
+    assert_eq!(read, description);
 }
