@@ -1,0 +1,10 @@
+//! What the fuzz targets share: inputs made of arbitrary bytes, and what must hold of the answers.
+
+pub mod descriptions;
+pub mod geometry;
+pub mod lanes;
+pub mod models;
+pub mod numbers;
+#[path = "../../tests/common/sound.rs"]
+pub mod sound;
+pub mod terms;
