@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::directions::{pairs_to_cosine, pairs_to_grazing};
+use common::directions::{pairs_to_grazing, pairs_to_power};
 use common::measure::reciprocity::reciprocity;
 use common::models;
 use glam::{DVec3, Vec3};
@@ -13,7 +13,7 @@ macro_rules! reciprocity {
         fn $test() {
             let pairs: Vec<($vector, $vector)> = pairs_to_grazing(100_000)
                 .into_iter()
-                .chain(pairs_to_cosine(20_000, 1e-20))
+                .chain(pairs_to_power(20_000, 20.0))
                 .map(|(wi, wo)| ($narrow(wi), $narrow(wo)))
                 .collect();
             for entry in models::all::<$float>() {

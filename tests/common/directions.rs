@@ -31,16 +31,16 @@ pub fn pairs(count: usize) -> Vec<(DVec3, DVec3)> {
 /// Pairs over the whole domain: those of [`pairs`], and as many of which one or both directions
 /// graze, with cosines down to 10⁻⁶, some of them near to mirror pairs.
 pub fn pairs_to_grazing(count: usize) -> Vec<(DVec3, DVec3)> {
-    pairs_to_cosine(count, 1e-6)
+    pairs_to_power(count, 6.0)
 }
 
-/// The same with another least cosine.
-pub fn pairs_to_cosine(count: usize, least: f64) -> Vec<(DVec3, DVec3)> {
+/// The same with cosines down to another power of ten, 10 to the −`power`.
+pub fn pairs_to_power(count: usize, power: f64) -> Vec<(DVec3, DVec3)> {
     let mut rng = Pcg64Mcg::seed_from_u64(0x9a2e);
     let mut all = pairs(count / 2);
     all.extend(pairs(count - count / 2).into_iter().enumerate().map(|(index, (wi, wo))| {
         let mut grazing = |w: DVec3| {
-            let cos = least.powf(rng.random::<f64>());
+            let cos = 10.0_f64.powf(-power * rng.random::<f64>());
             let tangent = DVec3::new(w.x, w.y, 0.0).normalize_or(DVec3::X);
             tangent * ((1.0 - cos) * (1.0 + cos)).sqrt() + DVec3::Z * cos
         };
