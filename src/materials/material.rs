@@ -22,7 +22,7 @@ pub enum Kind {
     Dielectric,
     /// A second opinion on a metal that has another set.
     Alternative,
-    /// A set not to be used for colour; [`Material::remark`] says why.
+    /// A set not to be used for colour; [`Material::remark`] says why. These are tantalum and zinc.
     Caution,
 }
 

@@ -1,4 +1,4 @@
-// Made of `data/ior` by `tests/materials/generate.rs`; not to be edited.
+// Made of `data/ior` and `data/notes.csv` by `tests/materials/generate.rs`; not to be edited.
 
 use super::material::{Form, Kind, Material};
 use super::samples::Samples;
@@ -50,6 +50,8 @@ pub static GOLD: Material = Material {
 
 /// Beryllium, 292.88 to 1020.8 nm.
 ///
+/// Remark: values of a model fitted to several measurements and not samples of one.
+///
 /// A. D. Rakić, A. B. Djurišic, J. M. Elazar, M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) doi:10.1364/AO.37.005271 \[Calculation script (Python)\]
 pub static BERYLLIUM: Material = Material {
     key: "Be",
@@ -58,8 +60,8 @@ pub static BERYLLIUM: Material = Material {
     citation: "A. D. Rakić, A. B. Djurišic, J. M. Elazar, M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) doi:10.1364/AO.37.005271 [Calculation script (Python)]",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: Some("Brendel-Bormann model fit, not raw samples"),
+    preparation: "table of a Brendel-Bormann model",
+    remark: Some("values of a model fitted to several measurements and not samples of one"),
     samples: Samples::new(include_bytes!("samples/Be.bin")),
 };
 
@@ -215,6 +217,8 @@ pub static SODIUM: Material = Material {
 
 /// Niobium, 293.6 to 862.1 nm.
 ///
+/// Remark: the source shows a figure that was digitised.
+///
 /// J. H. Weaver, D. W. Lynch, C. G. Olson. Optical properties of niobium from 0.1 to 36.4 eV. Phys. Rev. B 7, 4311-4318 (1973) doi:10.1103/PhysRevB.7.4311 (Data points extracted from a figure)
 pub static NIOBIUM: Material = Material {
     key: "Nb",
@@ -223,8 +227,8 @@ pub static NIOBIUM: Material = Material {
     citation: "J. H. Weaver, D. W. Lynch, C. G. Olson. Optical properties of niobium from 0.1 to 36.4 eV. Phys. Rev. B 7, 4311-4318 (1973) doi:10.1103/PhysRevB.7.4311 (Data points extracted from a figure)",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: None,
+    preparation: "samples read off a figure",
+    remark: Some("the source shows a figure that was digitised"),
     samples: Samples::new(include_bytes!("samples/Nb.bin")),
 };
 
@@ -275,6 +279,8 @@ pub static PALLADIUM: Material = Material {
 
 /// Platinum, 295.96 to 1001.3 nm.
 ///
+/// Remark: values of a model fitted to several measurements and not samples of one.
+///
 /// A. D. Rakić, A. B. Djurišic, J. M. Elazar, M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) doi:10.1364/AO.37.005271 \[Calculation script (Python)\]
 pub static PLATINUM: Material = Material {
     key: "Pt",
@@ -283,8 +289,8 @@ pub static PLATINUM: Material = Material {
     citation: "A. D. Rakić, A. B. Djurišic, J. M. Elazar, M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) doi:10.1364/AO.37.005271 [Calculation script (Python)]",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: Some("Brendel-Bormann model fit, not raw samples"),
+    preparation: "table of a Brendel-Bormann model",
+    remark: Some("values of a model fitted to several measurements and not samples of one"),
     samples: Samples::new(include_bytes!("samples/Pt.bin")),
 };
 
@@ -304,6 +310,8 @@ pub static RHODIUM: Material = Material {
 };
 
 /// Tantalum, 291.728 to 1239.84 nm.
+///
+/// **Not for colour:** from electron energy loss spectra; R about 0.84 in the visible against about 0.36-0.45 in Palik: do not use for colour.
 ///
 /// W. S. M. Werner, K. Glantschnig, C. Ambrosch-Draxl. Optical constants and inelastic electron-scattering data for 17 elemental metals. J. Phys Chem Ref. Data 38, 1013-1092 (2009) doi:10.1063/1.3243762
 pub static TANTALUM: Material = Material {
@@ -350,6 +358,8 @@ pub static VANADIUM: Material = Material {
 
 /// Tungsten, 297.9 to 1005 nm.
 ///
+/// Remark: the source shows a figure that was digitised.
+///
 /// J. H. Weaver, C. G. Olson, D. W. Lynch. Optical properties of crystalline tungsten. Phys. Rev. B 12, 1293-1297 (1975) doi:10.1103/PhysRevB.12.1293 (Data points extracted from a figure)
 pub static TUNGSTEN: Material = Material {
     key: "W",
@@ -358,23 +368,25 @@ pub static TUNGSTEN: Material = Material {
     citation: "J. H. Weaver, C. G. Olson, D. W. Lynch. Optical properties of crystalline tungsten. Phys. Rev. B 12, 1293-1297 (1975) doi:10.1103/PhysRevB.12.1293 (Data points extracted from a figure)",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: Some("digitised from a figure"),
+    preparation: "samples read off a figure",
+    remark: Some("the source shows a figure that was digitised"),
     samples: Samples::new(include_bytes!("samples/W.bin")),
 };
 
 /// Zinc, 360 to 1040 nm.
 ///
+/// **Not for colour:** n reaches 13.9 at 560 nm, where the reflectance falls from 0.77 at normal incidence to 0.50 at 86 degrees, further than that of any other metal: do not use for colour.
+///
 /// M. R. Querry. Optical constants of minerals and other materials from the millimeter to the ultraviolet, Contractor Report CRDEC-CR-88009 (1987)
 pub static ZINC: Material = Material {
     key: "Zn",
     name: "Zinc",
-    kind: Kind::Metal,
+    kind: Kind::Caution,
     citation: "M. R. Querry. Optical constants of minerals and other materials from the millimeter to the ultraviolet, Contractor Report CRDEC-CR-88009 (1987)",
     license: "CC0-1.0",
     form: Form::Table,
     preparation: "original samples",
-    remark: None,
+    remark: Some("n reaches 13.9 at 560 nm, where the reflectance falls from 0.77 at normal incidence to 0.50 at 86 degrees, further than that of any other metal: do not use for colour"),
     samples: Samples::new(include_bytes!("samples/Zn.bin")),
 };
 
@@ -410,6 +422,8 @@ pub static RED_BRASS_85_CU_15_ZN: Material = Material {
 
 /// Stainless steel (austenitic), 280 to 1020 nm.
 ///
+/// Remark: the source shows a figure that was digitised.
+///
 /// Björn Karlsson, Carl G. Ribbing. Optical constants and spectral selectivity of stainless steel and its oxides. J. Appl. Phys. 53, 6340-6346 (1982) doi:10.1063/1.331503 (Data extracted from a figure)
 pub static STAINLESS_STEEL_AUSTENITIC: Material = Material {
     key: "stainless_steel",
@@ -418,12 +432,14 @@ pub static STAINLESS_STEEL_AUSTENITIC: Material = Material {
     citation: "Björn Karlsson, Carl G. Ribbing. Optical constants and spectral selectivity of stainless steel and its oxides. J. Appl. Phys. 53, 6340-6346 (1982) doi:10.1063/1.331503 (Data extracted from a figure)",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: None,
+    preparation: "samples read off a figure",
+    remark: Some("the source shows a figure that was digitised"),
     samples: Samples::new(include_bytes!("samples/stainless_steel.bin")),
 };
 
 /// Gold-silver alloy (50/50), 299 to 1001 nm.
+///
+/// Remark: values of an analytic model of alloys of gold and silver and not of a measured sample.
 ///
 /// D. Rioux, S. Vallières, S. Besner, P. Muñoz, E. Mazur, M. Meunier. An analytic model for the dielectric function of Au, Ag, and their alloys. Adv. Opt. Mater. 2, 176-182 (2014) doi:10.1002/adom.201300457 (See Supporting information for MATLAB model)
 pub static GOLD_SILVER_ALLOY_50_50: Material = Material {
@@ -433,8 +449,8 @@ pub static GOLD_SILVER_ALLOY_50_50: Material = Material {
     citation: "D. Rioux, S. Vallières, S. Besner, P. Muñoz, E. Mazur, M. Meunier. An analytic model for the dielectric function of Au, Ag, and their alloys. Adv. Opt. Mater. 2, 176-182 (2014) doi:10.1002/adom.201300457 (See Supporting information for MATLAB model)",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: None,
+    preparation: "table of an analytic model",
+    remark: Some("values of an analytic model of alloys of gold and silver and not of a measured sample"),
     samples: Samples::new(include_bytes!("samples/electrum_Au50Ag50.bin")),
 };
 
@@ -545,6 +561,8 @@ pub static CHROMIUM_SYTCHKOVA: Material = Material {
 
 /// Titanium (Rakic 1998 BB), 293.87 to 1012.9 nm.
 ///
+/// Remark: values of a model fitted to several measurements and not samples of one.
+///
 /// A. D. Rakić, A. B. Djurišic, J. M. Elazar, M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) doi:10.1364/AO.37.005271 \[Calculation script (Python)\]
 pub static TITANIUM_RAKIC_1998_BB: Material = Material {
     key: "Ti_rakic",
@@ -553,12 +571,14 @@ pub static TITANIUM_RAKIC_1998_BB: Material = Material {
     citation: "A. D. Rakić, A. B. Djurišic, J. M. Elazar, M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) doi:10.1364/AO.37.005271 [Calculation script (Python)]",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: Some("model fit"),
+    preparation: "table of a Brendel-Bormann model",
+    remark: Some("values of a model fitted to several measurements and not samples of one"),
     samples: Samples::new(include_bytes!("samples/Ti_rakic.bin")),
 };
 
 /// Tungsten (Rakic 1998 BB), 295.96 to 1001.3 nm.
+///
+/// Remark: values of a model fitted to several measurements and not samples of one.
 ///
 /// A. D. Rakić, A. B. Djurišic, J. M. Elazar, and M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) \[Calculation script (Python) doi:10.1364/AO.37.005271\]
 pub static TUNGSTEN_RAKIC_1998_BB: Material = Material {
@@ -568,8 +588,8 @@ pub static TUNGSTEN_RAKIC_1998_BB: Material = Material {
     citation: "A. D. Rakić, A. B. Djurišic, J. M. Elazar, and M. L. Majewski. Optical properties of metallic films for vertical-cavity optoelectronic devices. Appl. Opt. 37, 5271-5283 (1998) [Calculation script (Python) doi:10.1364/AO.37.005271]",
     license: "CC0-1.0",
     form: Form::Table,
-    preparation: "original samples",
-    remark: Some("model fit"),
+    preparation: "table of a Brendel-Bormann model",
+    remark: Some("values of a model fitted to several measurements and not samples of one"),
     samples: Samples::new(include_bytes!("samples/W_rakic.bin")),
 };
 
@@ -679,6 +699,8 @@ pub static N_BK7_GLASS_SCHOTT: Material = Material {
 };
 
 /// SF11 glass (Schott, leaded), 390 to 1000 nm.
+///
+/// Remark: starts at 390 nm.
 ///
 /// SCHOTT Zemax catalog 2017-01-20b (obtained from <http://www.schott.com>)See also SCHOTT glass data sheets
 pub static SF11_GLASS_SCHOTT_LEADED: Material = Material {
@@ -815,6 +837,8 @@ pub static DIAMOND_PHILLIP_TAFT_1964: Material = Material {
 
 /// Diamond (Peter 1923), 300 to 760 nm.
 ///
+/// Remark: ends at 760 nm.
+///
 /// F. Peter. Über Brechungsindizes und Absorptionskonstanten des Diamanten zwischen 644 und 226 mμ. Zeitschrift für Physik 15, 358-368 (1923) doi:10.1007/BF01330487
 pub static DIAMOND_PETER_1923: Material = Material {
     key: "diamond_peter",
@@ -935,6 +959,8 @@ pub static CALCITE_EXTRAORDINARY_RAY: Material = Material {
 
 /// Rutile, ordinary ray, 430 to 1000 nm.
 ///
+/// Remark: starts at 430 nm.
+///
 /// J. R. Devore. Refractive indices of rutile and sphalerite. J. Opt. Soc. Am. 41, 416-419 (1951) doi:10.1364/JOSA.41.000416
 pub static RUTILE_ORDINARY_RAY: Material = Material {
     key: "TiO2_o",
@@ -949,6 +975,8 @@ pub static RUTILE_ORDINARY_RAY: Material = Material {
 };
 
 /// Rutile, extraordinary ray, 430 to 1000 nm.
+///
+/// Remark: starts at 430 nm.
 ///
 /// J. R. Devore. Refractive indices of rutile and sphalerite. J. Opt. Soc. Am. 41, 416-419 (1951) doi:10.1364/JOSA.41.000416
 pub static RUTILE_EXTRAORDINARY_RAY: Material = Material {
@@ -980,6 +1008,8 @@ pub static TITANIUM_DIOXIDE_THIN_FILM_ALD: Material = Material {
 
 /// Zinc sulfide, 405 to 1000 nm.
 ///
+/// Remark: starts at 405 nm.
+///
 /// 1) M. Debenham. Refractive indices of zinc sulfide in the 0.405-13-µm wavelength range. Appl. Opt., 23, 2238-2239 (1984) doi:10.1364/AO.23.002238 2) C. A. Klein. Room-temperature dispersion equations for cubic zinc sulfide. Appl. Opt. 25, 1873-1875 (1986) doi:10.1364/AO.25.001873 \*Ref. 2 provides a modified Sellmeier equation based on data from Ref. 1
 pub static ZINC_SULFIDE: Material = Material {
     key: "ZnS",
@@ -994,6 +1024,8 @@ pub static ZINC_SULFIDE: Material = Material {
 };
 
 /// Acrylic (PMMA), 405 to 1000 nm.
+///
+/// Remark: starts at 405 nm.
 ///
 /// Marcin Szczurowski. Private communications (2013) \[original data\].
 pub static ACRYLIC_PMMA: Material = Material {
@@ -1010,6 +1042,8 @@ pub static ACRYLIC_PMMA: Material = Material {
 
 /// Acrylic (PMMA), Sultanova 2009, 440 to 1000 nm.
 ///
+/// Remark: starts at 440 nm.
+///
 /// N. Sultanova, S. Kasarova, I. Nikolov. Dispersion properties of optical polymers. Acta Physica Polonica A 116, 585-587 (2009) (fit of the experimental data with the Sellmeier dispersion formula: Mikhail Polyanskiy)
 pub static ACRYLIC_PMMA_SULTANOVA_2009: Material = Material {
     key: "PMMA_sultanova",
@@ -1019,11 +1053,13 @@ pub static ACRYLIC_PMMA_SULTANOVA_2009: Material = Material {
     license: "CC0-1.0",
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
-    remark: Some("starts at 437 nm"),
+    remark: Some("starts at 440 nm"),
     samples: Samples::new(include_bytes!("samples/PMMA_sultanova.bin")),
 };
 
 /// Polycarbonate, 400 to 1010 nm.
+///
+/// Remark: starts at 400 nm.
 ///
 /// 1) X. Zhang, J. Qiu, X. Li, J. Zhao, L. Liu. Complex refractive indices measurements of polymers in visible and near-infrared bands. Appl. Opt. 59, 2337-2344 (2020) doi:10.1364/AO.383831 (0.4-2 µm) 2) X. Zhang, J. Qiu, J. Zhao, X. Li, L. Liu. Complex refractive indices measurements of polymers in infrared bands. J. Quant. Spectrosc. Radiat. Transf. 252, 107063 (2020) doi:10.1016/j.jqsrt.2020.107063 (2-20 µm)
 pub static POLYCARBONATE: Material = Material {
@@ -1040,6 +1076,8 @@ pub static POLYCARBONATE: Material = Material {
 
 /// Polycarbonate, Sultanova 2009, 440 to 1000 nm.
 ///
+/// Remark: starts at 440 nm.
+///
 /// N. Sultanova, S. Kasarova, I. Nikolov. Dispersion properties of optical polymers. Acta Physica Polonica A 116, 585-587 (2009) (fit of the experimental data with the Sellmeier dispersion formula: Mikhail Polyanskiy)
 pub static POLYCARBONATE_SULTANOVA_2009: Material = Material {
     key: "polycarbonate_sultanova",
@@ -1049,11 +1087,13 @@ pub static POLYCARBONATE_SULTANOVA_2009: Material = Material {
     license: "CC0-1.0",
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
-    remark: Some("starts at 437 nm"),
+    remark: Some("starts at 440 nm"),
     samples: Samples::new(include_bytes!("samples/polycarbonate_sultanova.bin")),
 };
 
 /// Polystyrene, 400 to 1010 nm.
+///
+/// Remark: starts at 400 nm.
 ///
 /// 1) X. Zhang, J. Qiu, X. Li, J. Zhao, L. Liu. Complex refractive indices measurements of polymers in visible and near-infrared bands. Appl. Opt. 59, 2337-2344 (2020) doi:10.1364/AO.383831 (0.4-2 µm) 2) X. Zhang, J. Qiu, J. Zhao, X. Li, L. Liu. Complex refractive indices measurements of polymers in infrared bands. J. Quant. Spectrosc. Radiat. Transf. 252, 107063 (2020) doi:10.1016/j.jqsrt.2020.107063 (2-20 µm)
 pub static POLYSTYRENE: Material = Material {
@@ -1070,6 +1110,8 @@ pub static POLYSTYRENE: Material = Material {
 
 /// Polystyrene, Sultanova 2009, 440 to 1000 nm.
 ///
+/// Remark: starts at 440 nm.
+///
 /// N. Sultanova, S. Kasarova, I. Nikolov. Dispersion properties of optical polymers. Acta Physica Polonica A 116, 585-587 (2009) (fit of the experimental data with the Sellmeier dispersion formula: Mikhail Polyanskiy)
 pub static POLYSTYRENE_SULTANOVA_2009: Material = Material {
     key: "polystyrene_sultanova",
@@ -1079,11 +1121,13 @@ pub static POLYSTYRENE_SULTANOVA_2009: Material = Material {
     license: "CC0-1.0",
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
-    remark: Some("starts at 437 nm"),
+    remark: Some("starts at 440 nm"),
     samples: Samples::new(include_bytes!("samples/polystyrene_sultanova.bin")),
 };
 
 /// Acetone, 400 to 1000 nm.
+///
+/// Remark: starts at 400 nm.
 ///
 /// H.-J. Chang, N. Munera, C. Lopez-Zelaya, D. Banerjee, G. Beadie, E. W. Van Stryland, D. J. Hagan. Refractive index measurements of liquids from 0.5 to 2 µm using Rayleigh interferometry. Opt. Mater. Express 14, 1253–1267 (2024) doi:10.1364/OME.519907
 pub static ACETONE: Material = Material {

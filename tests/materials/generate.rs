@@ -1,4 +1,5 @@
-//! `src/materials/sets.rs` and `src/materials/samples` are made of `data/ior` by this test.
+//! `src/materials/sets.rs` and `src/materials/samples` are made of `data/ior` and `data/notes.csv` by
+//! this test.
 //!
 //! It compares; with `BRDF_REGENERATE=1` in the environment it writes.
 
@@ -8,7 +9,7 @@ use std::fs;
 use crate::tables::{Row, compare, header, path, rows};
 
 const HEADER: &str = "\
-// Made of `data/ior` by `tests/materials/generate.rs`; not to be edited.
+// Made of `data/ior` and `data/notes.csv` by `tests/materials/generate.rs`; not to be edited.
 
 use super::material::{Form, Kind, Material};
 use super::samples::Samples;
@@ -16,7 +17,7 @@ use super::samples::Samples;
 
 #[test]
 fn the_embedded_sets_are_those_of_the_tables() {
-    let index = rows("data/ior/index.csv");
+    let index = corrected(rows("data/ior/index.csv"));
     compare("src/materials/sets.rs", sets(&index).as_bytes());
     for row in &index {
         compare(&format!("src/materials/samples/{}.bin", row["key"]), &samples(row));
@@ -52,6 +53,24 @@ fn documentation(text: &str) -> String {
     words.join(" ")
 }
 
+/// The index with what the notes know better.
+fn corrected(mut index: Vec<Row>) -> Vec<Row> {
+    for row in &mut index {
+        let file = format!("data/ior/{}", row["file"]);
+        row.insert("preparation".into(), header(&file, "data"));
+    }
+    for note in rows("data/notes.csv") {
+        let row = index.iter_mut().find(|row| row["key"] == note["key"]);
+        let row = row.unwrap_or_else(|| panic!("a note on {}, which is no set", note["key"]));
+        for column in ["kind", "preparation", "remark"] {
+            if !note[column].is_empty() {
+                row.insert(column.into(), note[column].clone());
+            }
+        }
+    }
+    index
+}
+
 fn sets(index: &[Row]) -> String {
     let mut text = HEADER.to_owned();
     for row in index {
@@ -74,12 +93,18 @@ fn sets(index: &[Row]) -> String {
             remark => format!("Some({})", literal(remark)),
         };
         let (key, name, citation) = (&row["key"], &row["name"], &row["citation"]);
-        let preparation = header(&format!("data/ior/{}", row["file"]), "data");
+        let warning = match (kind, row["remark"].as_str()) {
+            (_, "") => String::new(),
+            ("Caution", remark) => {
+                format!("\n///\n/// **Not for colour:** {}.", documentation(remark))
+            }
+            (_, remark) => format!("\n///\n/// Remark: {}.", documentation(remark)),
+        };
         let (lower, upper) = (&row["lambda_min_nm"], &row["lambda_max_nm"]);
         write!(
             text,
             "
-/// {name}, {lower} to {upper} nm.
+/// {name}, {lower} to {upper} nm.{warning}
 ///
 /// {}
 pub static {}: Material = Material {{
@@ -100,7 +125,7 @@ pub static {}: Material = Material {{
             literal(name),
             literal(citation),
             literal(&row["license"]),
-            literal(&preparation),
+            literal(&row["preparation"]),
         )
         .expect("a string takes all text");
     }

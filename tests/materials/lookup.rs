@@ -94,7 +94,27 @@ fn every_material_says_where_it_comes_from() {
         let formula = material.preparation().starts_with("dispersion formula");
         assert_eq!(formula, material.form() == Form::Formula, "{material}");
     }
-    let tantalum = find("Ta").expect("is there");
-    assert_eq!(tantalum.kind(), Kind::Caution);
-    assert!(tantalum.remark().is_some_and(|remark| remark.contains("do not use for colour")));
+}
+
+/// What a set says about itself does not contradict where it comes from and what it holds.
+#[test]
+fn remarks_are_right() {
+    for material in ALL {
+        let (citation, remark) = (material.citation(), material.remark().unwrap_or_default());
+        let (lower, upper) = material.range().into_inner();
+        for (words, end) in [("starts at ", lower), ("ends at ", upper)] {
+            if let Some(limit) = remark.strip_prefix(words) {
+                assert_eq!(limit, format!("{end} nm"), "{material}");
+            }
+        }
+        let digitised = citation.contains("extracted from a figure");
+        assert_eq!(material.preparation() == "samples read off a figure", digitised, "{material}");
+        assert_eq!(remark.contains("figure"), digitised, "{material}");
+        // Of a model the database says so in words of several kinds.
+        let calculated =
+            ["Calculation script", "MATLAB model"].iter().any(|w| citation.contains(w))
+                && material.form() == Form::Table;
+        assert_eq!(material.preparation().starts_with("table of a"), calculated, "{material}");
+        assert_eq!(remark.contains("values of a"), calculated, "{material}");
+    }
 }

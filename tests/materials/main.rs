@@ -5,6 +5,7 @@ mod ellipsometry;
 mod fresnel_reference;
 mod generate;
 mod lookup;
+mod plausible;
 mod samples;
 mod shortcut;
 #[path = "../common/tables.rs"]
