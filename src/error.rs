@@ -3,6 +3,8 @@
 use core::error::Error;
 use core::fmt;
 
+use crate::real::Real;
+
 /// A parameter that a constructor did not accept.
 ///
 /// ```
@@ -20,6 +22,8 @@ pub struct ParameterError {
     value: f64,
     lower: f64,
     upper: f64,
+    position: Option<usize>,
+    previous: Option<f64>,
 }
 
 impl ParameterError {
@@ -33,8 +37,34 @@ impl ParameterError {
     ) -> Result<(), Self> {
         match outside(lower, upper) {
             None => Ok(()),
-            Some(value) => Err(Self { parameter, value, lower, upper }),
+            Some(value) => {
+                Err(Self { parameter, value, lower, upper, position: None, previous: None })
+            }
         }
+    }
+
+    /// Checks a list whose numbers lie in a range and each above the one before it.
+    pub(crate) fn check_ascending(
+        parameter: &'static str,
+        (lower, upper): (f64, f64),
+        list: &[f64],
+    ) -> Result<(), Self> {
+        let at = |position| move |error| Self { position: Some(position), ..error };
+        for (position, value) in list.iter().enumerate() {
+            Self::check(parameter, (lower, upper), |lower, upper| value.outside(lower, upper))
+                .map_err(at(position))?;
+        }
+        for (before, pair) in list.windows(2).enumerate() {
+            if let [previous, value] = *pair {
+                let above = previous.next_up();
+                Self::check(parameter, (above, upper.max(above)), |lower, upper| {
+                    value.outside(lower, upper)
+                })
+                .map_err(at(before + 1))
+                .map_err(|error| Self { previous: Some(previous), ..error })?;
+            }
+        }
+        Ok(())
     }
 
     /// The name of the parameter.
@@ -49,23 +79,46 @@ impl ParameterError {
         self.value
     }
 
-    /// The smallest and the largest allowed value, both included.
+    /// The smallest and the largest allowed value, both included. Infinity is no upper end.
     #[must_use]
     pub const fn range(&self) -> (f64, f64) {
         (self.lower, self.upper)
+    }
+
+    /// Where in the list the value stands, counted from 0, if the parameter is a list.
+    #[must_use]
+    pub const fn position(&self) -> Option<usize> {
+        self.position
+    }
+
+    /// What is allowed and was not given, as in `must be between 0 and 1, not 2`.
+    pub(crate) const fn rule(&self) -> impl fmt::Display {
+        Rule(*self)
+    }
+}
+
+struct Rule(ParameterError);
+
+impl fmt::Display for Rule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let ParameterError { value, lower, upper, previous, .. } = self.0;
+        let [value, lower, upper] = [value, lower, upper].map(Number);
+        match previous {
+            Some(previous) => write!(f, "must be above {}, the one before it", Number(previous)),
+            None if upper.0 == f64::INFINITY => write!(f, "must be at least {lower}"),
+            None => write!(f, "must be between {lower} and {upper}"),
+        }?;
+        write!(f, ", not {value}")
     }
 }
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { parameter, value, lower, upper } = self;
-        write!(
-            f,
-            "{parameter} must be between {} and {}, not {}",
-            Number(*lower),
-            Number(*upper),
-            Number(*value)
-        )
+        f.write_str(self.parameter)?;
+        if let Some(position) = self.position {
+            write!(f, "[{position}]")?;
+        }
+        write!(f, " {}", self.rule())
     }
 }
 

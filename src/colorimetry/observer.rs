@@ -56,15 +56,12 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// An observer under an illuminant, of spectra with values at `wavelengths` in nanometres.
     ///
     /// # Errors
-    /// If a wavelength is not above the one before it, or not in 100 … 10⁵.
+    /// If there is no wavelength, or one is not above the one before it or not in 100 … 10⁵.
     pub fn new(illuminant: Illuminant, wavelengths: [f64; N]) -> Result<Self, ParameterError> {
-        let mut lower = 100.0;
-        for wavelength in wavelengths {
-            ParameterError::check("wavelength", (lower, 1e5), |lower, upper| {
-                Real::outside(wavelength, lower, upper)
-            })?;
-            lower = wavelength.next_up();
-        }
+        ParameterError::check("number of wavelengths", (1.0, f64::INFINITY), |lower, upper| {
+            (N as f64).outside(lower, upper)
+        })?;
+        ParameterError::check_ascending("wavelength", (100.0, 1e5), &wavelengths)?;
         let mut weights = [[0.0; 3]; N];
         let powers = illuminant.power();
         let luminance: f64 = powers.iter().zip(COLOR_MATCHING).map(|(s, [_, y, _])| s * y).sum();

@@ -5,7 +5,7 @@ use core::error::Error;
 use core::fmt;
 
 use super::bounds::{MAX_DEPTH, MAX_TERMS};
-use crate::error::{Number, ParameterError};
+use crate::error::ParameterError;
 
 /// A description of something that cannot be built: where, what, and what is allowed.
 ///
@@ -77,9 +77,7 @@ impl fmt::Display for Problem {
                 if is_of_list(error) {
                     write!(f, "{} ", error.parameter())?;
                 }
-                let (lower, upper) = error.range();
-                let [lower, upper, value] = [lower, upper, error.value()].map(Number);
-                write!(f, "must be between {lower} and {upper}, not {value}")
+                write!(f, "{}", error.rule())
             }
             Self::Metal(why) => f.write_str(why),
             Self::NoSmith => f.write_str(

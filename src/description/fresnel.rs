@@ -40,7 +40,7 @@ forms! {
         },
         /// A metal, alloy or semiconductor by its symbol or name: its measured index at 650, 550
         /// and 450 nm. It needs the feature `materials`. `Ta` and `Zn` are accepted although their
-        /// sets are [not for colour](crate::materials::Kind::Caution).
+        /// sets are not for colour (`materials::Kind::Caution`).
         "metal" => Metal(String),
         /// [`Schlick`].
         "schlick" => Schlick {

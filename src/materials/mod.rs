@@ -44,8 +44,8 @@
 //! Some sets count n and the wavelength from vacuum, others, as those of Schott's glasses and of
 //! most crystals, from air. The difference, 2.8·10⁻⁴ of the value, is below that between two
 //! measurements. [`TANTALUM`] and [`ZINC`] are not to be used for colour: they have
-//! [`Kind::Caution`], and [`Material::remark`] and their pages say what is wrong with them. Crystals have one
-//! set for the ordinary and one for the extraordinary ray.
+//! [`Kind::Caution`], and [`Material::remark`] and their pages say what is wrong with them.
+//! Crystals have one set for the ordinary and one for the extraordinary ray.
 
 mod lookup;
 mod material;

@@ -118,12 +118,27 @@ fn single_precision_is_enough() {
 
 #[test]
 fn wavelengths_out_of_order_are_refused() {
-    for bad in
-        [[500.0, 400.0], [500.0, 500.0], [f64::NAN, 500.0], [500.0, f64::INFINITY], [0.0, 1e3]]
-    {
+    for (bad, position, message) in [
+        ([500.0, 400.0], 1, "wavelength[1] must be above 500, the one before it, not 400"),
+        ([500.0, 500.0], 1, "wavelength[1] must be above 500, the one before it, not 500"),
+        ([1e5, 1e5], 1, "wavelength[1] must be above 100000, the one before it, not 100000"),
+        ([1e5, 2e5], 1, "wavelength[1] must be between 100 and 100000, not 200000"),
+        ([f64::NAN, 500.0], 0, "wavelength[0] must be between 100 and 100000, not NaN"),
+        ([500.0, f64::INFINITY], 1, "wavelength[1] must be between 100 and 100000, not inf"),
+        ([0.0, 1e3], 0, "wavelength[0] must be between 100 and 100000, not 0"),
+    ] {
         let error = Observer::<f64, 2>::new(Illuminant::E, bad).unwrap_err();
-        assert_eq!(error.parameter(), "wavelength");
+        assert_eq!((error.parameter(), error.position()), ("wavelength", Some(position)));
+        assert_eq!(error.to_string(), message);
+        let (lower, upper) = error.range();
+        assert!(lower <= upper && !(lower..=upper).contains(&error.value()), "{error}");
     }
-    let none = Observer::<f64, 0>::new(Illuminant::E, []).expect("nothing is in order");
-    assert_eq!(none.xyz(Spectrum([])), DVec3::ZERO);
+}
+
+/// An eye that looks at nothing would see every surface black.
+#[test]
+fn no_wavelength_is_refused() {
+    let error = Observer::<f64, 0>::new(Illuminant::D65, []).unwrap_err();
+    assert_eq!(error.to_string(), "number of wavelengths must be at least 1, not 0");
+    assert_eq!((error.range(), error.position()), ((1.0, f64::INFINITY), None));
 }
