@@ -3,7 +3,7 @@
 mod common;
 
 use common::mutation::list::mutants;
-use common::mutation::mutant::run;
+use common::mutation::mutant::{run, table};
 use common::mutation::suite::Suite;
 
 /// Otherwise a rejected mutant would say nothing.
@@ -16,9 +16,7 @@ fn the_checks_pass_where_nothing_is_wrong() {
 #[test]
 fn every_mutant_is_killed() {
     let outcomes = run(&Suite::new(), mutants(), false);
-    for outcome in &outcomes {
-        println!("{outcome}");
-    }
+    println!("{}", table(&outcomes));
     assert!(outcomes.len() >= 20);
     let alive: Vec<_> = outcomes.iter().filter(|outcome| !outcome.killed()).collect();
     assert!(alive.is_empty(), "{} of {}: {alive:#?}", alive.len(), outcomes.len());

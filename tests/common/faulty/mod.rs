@@ -8,9 +8,11 @@
 mod model;
 mod number;
 mod place;
+mod source;
 mod vector;
 
 pub use model::Seeded;
 pub use number::Faulty;
-pub use place::{Fault, Operation, Place, armed, record};
+pub use place::{Fault, Operation, Place, Wrong, armed, record};
+pub use source::source;
 pub use vector::FaultyVector;

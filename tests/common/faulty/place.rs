@@ -72,14 +72,31 @@ pub struct Place {
 /// Links beyond are not told apart: a sum in a loop is a chain too.
 const LAST_LINK: u8 = 3;
 
+/// A wrong result from the operands (0 for one that is not there) and the right result. Masks are
+/// 0 and 1.
+pub type Wrong = fn(f64, f64, f64) -> f64;
+
 /// A wrong result at a place.
 #[derive(Debug)]
 pub struct Fault {
     pub place: Place,
-    /// From the operands (0 for one that is not there) and the right result. Masks are 0 and 1.
-    pub wrong: fn(f64, f64, f64) -> f64,
+    wrong: Wrong,
+    chained: bool,
+    fired: AtomicBool,
+}
+
+impl Fault {
+    /// Lives as long as the program: models that were built with a fault may be anywhere, and it
+    /// is a few words.
+    pub fn leak(place: Place, wrong: Wrong) -> &'static Self {
+        let chained = place.is_chain();
+        Box::leak(Box::new(Self { place, wrong, chained, fired: AtomicBool::new(false) }))
+    }
+
     /// Whether the place was reached while the fault was armed.
-    pub fired: AtomicBool,
+    pub fn has_fired(&self) -> bool {
+        self.fired.load(Ordering::Relaxed)
+    }
 }
 
 /// No place begins in this line.
@@ -134,7 +151,7 @@ fn watch_closely(
         return result;
     }
     let link = link_after(BEFORE.get(), left);
-    let result = if link == fault.place.link {
+    let result = if link == fault.place.link || !fault.chained {
         fault.fired.store(true, Ordering::Relaxed);
         (fault.wrong)(left, right, result)
     } else {
@@ -178,7 +195,12 @@ pub fn record(run: impl FnOnce()) -> BTreeSet<Place> {
     RECORD.set(Recorder::new());
     WATCHED.set(EVERYWHERE);
     run();
-    RECORD.with_borrow_mut(|recorder| std::mem::take(&mut recorder.places))
+    let places = RECORD.with_borrow_mut(|recorder| std::mem::take(&mut recorder.places));
+    // Elsewhere a left side that equals the result before is a coincidence.
+    places
+        .into_iter()
+        .map(|place| if place.is_chain() { place } else { Place { link: 0, ..place } })
+        .collect()
 }
 
 /// The places reached, and the last result at each line, column and operation.
@@ -213,7 +235,8 @@ impl Recorder {
         const SLOTS: usize = 1 << 14;
         self.last.resize(SLOTS, Last { id: NOWHERE, result: 0, link: LAST_LINK, noted: 0 });
         let (file, line, column) = (caller.file(), caller.line(), caller.column());
-        let id = (key(line, column) * 64 + operation as u64) ^ (file.len() as u64) << 24;
+        let number = key(line, column) * 64 + operation as u64;
+        let id = number.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ file.as_ptr().addr() as u64;
         let slot = &mut self.last[(id.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 50) as usize];
         if slot.id != id {
             *slot = Last { id, result: 0, link: LAST_LINK, noted: 0 };

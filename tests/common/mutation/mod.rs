@@ -8,6 +8,7 @@ mod laws;
 pub mod list;
 pub mod mutant;
 pub mod suite;
+pub mod systematic;
 
 use mutant::Outcome;
 

@@ -1,16 +1,9 @@
 //! A seeded bug as data.
 
-use std::fmt;
-use std::path::Path;
-use std::sync::atomic::{AtomicBool, Ordering};
-
 use rayon::prelude::*;
 
 use super::suite::{Killer, Suite};
-use crate::common::faulty::{Fault, Operation, Place};
-
-/// A wrong result from the operands and the right result.
-pub(super) type Wrong = fn(f64, f64, f64) -> f64;
+use crate::common::faulty::{Fault, Operation, Place, Wrong, source};
 
 /// The operand before the sign, or the argument of a function that is left out.
 pub(super) const LEFT: Wrong = |left, _, _| left;
@@ -77,8 +70,7 @@ impl Mutant {
     /// # Panics
     /// If the source does not contain the text exactly once.
     pub fn place(&self) -> Place {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(self.file);
-        let source = std::fs::read_to_string(path).expect("the source is in the repository");
+        let source = source(self.file);
         let (before, after) = self.text.split_once('▸').expect("the place is marked");
         let text = format!("{before}{after}");
         let mut found = source.match_indices(&text).map(|(at, _)| at);
@@ -107,32 +99,24 @@ pub fn run(
 ) -> Vec<Outcome> {
     let mutants: Vec<_> = mutants.collect();
     let outcome = |mutant: &&'static Mutant| {
-        let place = mutant.place();
-        let fault = Fault { place, wrong: mutant.wrong, fired: AtomicBool::new(false) };
-        // Models that were built with the fault may be anywhere; it is a few words.
-        let fault: &'static Fault = Box::leak(Box::new(fault));
+        let fault = Fault::leak(mutant.place(), mutant.wrong);
         let killers = suite.killers(fault, exhaustive);
-        Outcome { mutant, fired: fault.fired.load(Ordering::Relaxed), killers }
+        Outcome { mutant, fired: fault.has_fired(), killers }
     };
     mutants.par_iter().map(outcome).collect()
 }
 
-/// The bug and what found it.
-impl fmt::Display for Outcome {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Mutant { family, meaning, .. } = self.mutant;
-        write!(f, "{family}: {meaning}: ")?;
-        for (index, killer) in self.killers.iter().enumerate() {
-            let comma = if index > 0 { ", " } else { "" };
-            write!(f, "{comma}{}", killer.check)?;
-            if let Some(model) = killer.model {
-                write!(f, " ({model})")?;
-            }
-        }
-        f.write_str(match self.killers.len() {
-            0 if self.fired => "SURVIVED",
-            0 => "NEVER REACHED",
-            _ => "",
-        })
+/// The bugs and what found them, as a table in Markdown.
+pub fn table(outcomes: &[Outcome]) -> String {
+    let mut table = "| models | bug | found by |\n|---|---|---|\n".to_owned();
+    for Outcome { mutant, fired, killers } in outcomes {
+        let found = killers.iter().map(Killer::to_string).collect::<Vec<_>>().join("; ");
+        let found = match found.as_str() {
+            "" if *fired => "**nothing**",
+            "" => "**nothing, it was never reached**",
+            found => found,
+        };
+        table += &format!("| {} | {} | {found} |\n", mutant.family, mutant.meaning);
     }
+    table
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::error::Error;
+use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use brdf::Brdf;
@@ -46,6 +47,9 @@ const LAWS: [(&str, Law); 6] = [
     ("moments of samples", laws::moments_of_samples),
 ];
 
+/// Where one check that fails is enough, so are about that many of the models that a bug may break.
+const ENOUGH: usize = 12;
+
 /// A check that rejected a mutant.
 #[derive(Clone, Debug)]
 pub struct Killer {
@@ -53,6 +57,13 @@ pub struct Killer {
     /// The model of the registry that it looked at, if it did.
     pub model: Option<&'static str>,
     pub message: String,
+}
+
+impl fmt::Display for Killer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.check)?;
+        self.model.map_or(Ok(()), |model| write!(f, " ({model})"))
+    }
 }
 
 /// All checks, with the places of the source that each of them reaches.
@@ -119,14 +130,16 @@ impl Suite {
         let reached =
             |places: &BTreeSet<Place>| fault.is_none_or(|fault| places.contains(&fault.place));
         let any = self.models.iter().any(reached);
-        let subjects: Vec<_> = entries
+        let touched = entries.into_iter().zip(&self.models);
+        let touched: Vec<_> = touched.filter(|(_, places)| !any || reached(places)).collect();
+        let step = if exhaustive || !any { 1 } else { touched.len().div_ceil(ENOUGH).max(1) };
+        let subjects: Vec<_> = touched
             .into_iter()
-            .zip(&self.models)
-            .filter(|(_, places)| !any || reached(places))
+            .step_by(step)
             .map(|(entry, _)| Subject {
                 name: entry.name,
-                reciprocal: entry.reciprocal,
                 type_name: entry.type_name,
+                reciprocal: entry.reciprocal,
                 gain: entry.gain,
                 model: Box::new(Seeded { model: entry.model, fault }),
             })
