@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::models;
 use common::mutation::list::mutants;
 use common::mutation::mutant::{run, table};
 use common::mutation::suite::Suite;
@@ -11,6 +12,19 @@ use common::mutation::suite::Suite;
 fn the_checks_pass_where_nothing_is_wrong() {
     let alarms = Suite::new().false_alarms();
     assert!(alarms.is_empty(), "{alarms:#?}");
+}
+
+/// What a bug touches is known, so that not every model is looked at for every bug.
+#[test]
+fn models_reach_the_places_they_compute_at() {
+    let suite = Suite::new();
+    for outcome in run(&suite, mutants().filter(|mutant| mutant.family == "Lambert"), false) {
+        let place = outcome.mutant.place();
+        assert!(suite.reaches(0, &place), "{outcome}");
+        let reaching =
+            (0..models::all::<f64>().len()).filter(|&model| suite.reaches(model, &place));
+        assert!(reaching.count() < 20, "{outcome}");
+    }
 }
 
 #[test]

@@ -17,6 +17,9 @@ use std::path::Path;
 use std::{env, fs};
 
 use common::models;
+use common::mutation::list::mutants;
+use common::mutation::mutant;
+use common::mutation::suite::Suite;
 use indicatif::{ProgressBar, ProgressStyle};
 use row::Row;
 
@@ -32,12 +35,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         rows.push(Row::measure(single, double, &pairs));
         bar.inc(1);
     }
+    bar.set_message("seeded bugs");
+    let suite = Suite::new();
+    let bugs = mutant::run(&suite, mutants(), true);
+    for (index, row) in rows.iter_mut().enumerate() {
+        let reached: Vec<_> =
+            bugs.iter().filter(|bug| suite.reaches(index, &bug.mutant.place())).collect();
+        row.bugs = reached.len();
+        row.found = reached.iter().filter(|bug| bug.killed()).count();
+    }
     bar.finish_and_clear();
 
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let readme = root.join("README.md");
     let pages = [
-        (root.join("docs/certificate.md"), page::certificate(&rows)),
+        (root.join("docs/certificate.md"), page::certificate(&rows, &bugs)),
         (readme.clone(), page::readme(&fs::read_to_string(readme)?, &rows)?),
     ];
     for (path, text) in pages {

@@ -1,8 +1,9 @@
 //! The text of the certificate.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
+use crate::common::mutation::mutant::Outcome;
 use crate::row::{ANGLES, PAIRS, Row};
 
 const HEAD: &str = "# What was measured of every model
@@ -10,6 +11,12 @@ const HEAD: &str = "# What was measured of every model
 Written by `cargo run --release --example certificate`; `-- --check` compares it with a new
 measurement. One line for each model and set of parameters that the tests know
 (`tests/common/models`).";
+
+const BUGS: &str = "\
+Each formula runs on any number, so a bug can be seeded by a number that errs: at one place of the
+source, in one operation, it answers something else. Nothing of this is in the crate. The checks
+(`tests/common/mutation`) run once for each bug, which counts as found if at least one fails. They
+all pass when no bug is seeded.";
 
 /// What the columns mean.
 fn legend() -> String {
@@ -22,26 +29,27 @@ fn legend() -> String {
   and in `f32`.
 - **`f32` error.** The relative difference of `eval` in `f32` from `f64` at the same pairs: median,
   largest, and the largest part of what mixed forward and backward stability allows: 2·10⁻⁶ and
-  what a rounding of the directions themselves does."
+  what a rounding of the directions themselves does.
+- **Bugs found.** Of the bugs below those in an operation on the way to the model's answers."
     )
 }
 
 /// The page with one line for each entry of the registry.
-pub(crate) fn certificate(rows: &[Row]) -> String {
+pub(crate) fn certificate(rows: &[Row], bugs: &[Outcome]) -> String {
     let mut page = format!(
         "{HEAD}
 
 {}
 
-| model | largest albedo | at | reciprocal | `f32` error, median | largest | of its bound |
-|---|---|---|---|---|---|---|
+| model | largest albedo | at | reciprocal | `f32` error, median | largest | of its bound | bugs found |
+|---|---|---|---|---|---|---|---|
 ",
         legend()
     );
     for row in rows {
         let _ = writeln!(
             page,
-            "| {} | {:.5} | {:.2}° | {} | {:.1e} | {:.1e} | {:.2} |",
+            "| {} | {:.5} | {:.2}° | {} | {:.1e} | {:.1e} | {:.2} | {} of {} |",
             row.name,
             row.energy.maximum,
             row.energy.degrees,
@@ -49,7 +57,18 @@ pub(crate) fn certificate(rows: &[Row]) -> String {
             row.precision.median,
             row.precision.maximum,
             row.precision.ratio,
+            row.found,
+            row.bugs,
         );
+    }
+    let found = bugs.iter().filter(|bug| bug.killed()).count();
+    let _ = write!(page, "\n## {found} of {} seeded bugs are found\n\n{BUGS}\n\n", bugs.len());
+    page += "| part | bug | found by |\n|---|---|---|\n";
+    for bug in bugs {
+        let checks: BTreeSet<&str> = bug.killers.iter().map(|killer| killer.check).collect();
+        let checks: Vec<&str> = checks.into_iter().collect();
+        let (family, meaning) = (bug.mutant.family, bug.mutant.meaning);
+        let _ = writeln!(page, "| {family} | {meaning} | {} |", checks.join("; "));
     }
     page
 }

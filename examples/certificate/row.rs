@@ -34,6 +34,9 @@ pub(crate) struct Row {
     pub(crate) reciprocity_f32: Reciprocity,
     pub(crate) reciprocity_f64: Reciprocity,
     pub(crate) precision: Precision,
+    /// Seeded bugs in what the model computes, and how many of them the checks find.
+    pub(crate) bugs: usize,
+    pub(crate) found: usize,
 }
 
 impl Row {
@@ -46,6 +49,8 @@ impl Row {
             reciprocity_f32: reciprocity(&*single.model, &pairs.single, f64::from(f32::EPSILON)),
             reciprocity_f64: reciprocity(&*double.model, &pairs.double, f64::EPSILON),
             precision: precision(Quantity::Eval, &*single.model, &*double.model, &pairs.single),
+            bugs: 0,
+            found: 0,
         }
     }
 }

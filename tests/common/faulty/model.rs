@@ -22,25 +22,36 @@ fn plain(w: FaultyVector) -> DVec3 {
     Color::<Faulty>::lift(w, |component| component.0)
 }
 
+impl<M> Seeded<M> {
+    /// With the fault armed. Without one, what this thread watches is left alone, so that the places
+    /// that a model reaches can be recorded.
+    fn answer<A>(&self, run: impl FnOnce() -> A) -> A {
+        match self.fault {
+            Some(_) => armed(self.fault, run),
+            None => run(),
+        }
+    }
+}
+
 impl<M: Brdf<Faulty, Color = FaultyVector>> Brdf<f64> for Seeded<M> {
     type Color = DVec3;
 
     fn eval(&self, wi: DVec3, wo: DVec3) -> DVec3 {
-        armed(self.fault, || plain(self.model.eval(seeded(wi), seeded(wo))))
+        self.answer(|| plain(self.model.eval(seeded(wi), seeded(wo))))
     }
 
     fn pdf(&self, wi: DVec3, wo: DVec3) -> f64 {
-        armed(self.fault, || self.model.pdf(seeded(wi), seeded(wo)).0)
+        self.answer(|| self.model.pdf(seeded(wi), seeded(wo)).0)
     }
 
     fn sample(&self, wo: DVec3, u: [f64; 2]) -> Sample<f64, DVec3> {
-        armed(self.fault, || {
+        self.answer(|| {
             let sample = self.model.sample(seeded(wo), u.map(Faulty));
             Sample { wi: plain(sample.wi), weight: plain(sample.weight), pdf: sample.pdf.0 }
         })
     }
 
     fn albedo(&self, wo: DVec3) -> DVec3 {
-        armed(self.fault, || plain(self.model.albedo(seeded(wo))))
+        self.answer(|| plain(self.model.albedo(seeded(wo))))
     }
 }

@@ -86,6 +86,11 @@ impl Suite {
         }
     }
 
+    /// Whether an answer of the model at this place of the registry depends on a place of the source.
+    pub fn reaches(&self, model: usize, place: &Place) -> bool {
+        self.models[model].contains(place)
+    }
+
     /// Every place that some check reaches.
     pub fn places(&self) -> BTreeSet<Place> {
         let constructors = record(|| drop(models::all::<Faulty>()));
