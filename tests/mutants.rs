@@ -20,10 +20,10 @@ fn models_reach_the_places_they_compute_at() {
     let suite = Suite::new();
     for outcome in run(&suite, mutants().filter(|mutant| mutant.family == "Lambert"), false) {
         let place = outcome.mutant.place();
-        assert!(suite.reaches(0, &place), "{outcome}");
+        assert!(suite.reaches(0, &place), "{outcome:?}");
         let reaching =
             (0..models::all::<f64>().len()).filter(|&model| suite.reaches(model, &place));
-        assert!(reaching.count() < 20, "{outcome}");
+        assert!(reaching.count() < 20, "{outcome:?}");
     }
 }
 
