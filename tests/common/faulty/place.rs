@@ -89,7 +89,7 @@ impl Fault {
     /// Lives as long as the program: models that were built with a fault may be anywhere, and it
     /// is a few words.
     pub fn leak(place: Place, wrong: Wrong) -> &'static Self {
-        let chained = place.is_chain();
+        let chained = place.links() > 1;
         Box::leak(Box::new(Self { place, wrong, chained, fired: AtomicBool::new(false) }))
     }
 
@@ -196,11 +196,9 @@ pub fn record(run: impl FnOnce()) -> BTreeSet<Place> {
     WATCHED.set(EVERYWHERE);
     run();
     let places = RECORD.with_borrow_mut(|recorder| std::mem::take(&mut recorder.places));
-    // Elsewhere a left side that equals the result before is a coincidence.
-    places
-        .into_iter()
-        .map(|place| if place.is_chain() { place } else { Place { link: 0, ..place } })
-        .collect()
+    // A left side that equals the result before is a coincidence where there are no more links.
+    let most = |place: &Place| u8::try_from(place.links().max(1) - 1).unwrap_or(LAST_LINK);
+    places.into_iter().map(|place| Place { link: place.link.min(most(&place)), ..place }).collect()
 }
 
 /// The places reached, and the last result at each line, column and operation.

@@ -19,19 +19,19 @@ pub fn source(file: &'static str) -> &'static str {
 }
 
 impl Place {
-    /// Whether several operations of this kind begin here, as both products of `a * b * c` do.
-    pub fn is_chain(&self) -> bool {
+    /// How many operations of this kind begin here: both products of `a * b * c` do.
+    pub fn links(&self) -> usize {
         let sign = match self.operation {
             Operation::Add => '+',
             Operation::Sub => '-',
             Operation::Mul => '*',
             Operation::Div => '/',
-            _ => return false,
+            _ => return 1,
         };
         let lines = source(self.file).lines().skip(self.line as usize - 1);
         let text = lines.collect::<Vec<_>>().join(" ");
         let expression: Vec<char> = text.chars().skip(self.column as usize - 1).collect();
-        signs(&expression, sign) > 1
+        signs(&expression, sign)
     }
 }
 

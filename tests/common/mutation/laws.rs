@@ -166,6 +166,12 @@ pub(super) fn robustness(subject: &Subject) -> Verdict {
     let real = |w: DVec3| w.z > 0.0 && (w.length_squared() - 1.0).abs() <= 0.01;
     let sane = |value: f64| value.is_finite() && value >= 0.0;
     let sane_color = |color: DVec3| color.to_array().into_iter().all(sane);
+    for wo in [-DVec3::Z, DVec3::NAN] {
+        let albedo = subject.model.albedo(wo);
+        if albedo != DVec3::ZERO {
+            return fail(format!("albedo {albedo} at {wo}"));
+        }
+    }
     for &wo in &directions {
         for &wi in &directions {
             let (value, pdf) = (subject.model.eval(wi, wo), subject.model.pdf(wi, wo));
