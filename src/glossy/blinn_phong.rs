@@ -122,10 +122,13 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
         // Half vectors that the viewer sees from behind give no direction.
         let cos_d = Vector::dot(viewer, h);
         let drawn = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)).and(cos_d.gt(zero));
-        // f cosθᵢ / pdf, where N·L < 2 (V·H)(N·H) makes the quotient by N·H harmless.
-        let quotient = cos_d * wi.z() / T::select(drawn, cos_h, one);
+        // f cosθᵢ / pdf, where N·L < 2 (V·H)(N·H) makes the quotient by N·H harmless. All from the
+        // rounded direction, as in `eval` and `pdf`: at grazing the V·H of the drawn half vector
+        // is a small difference.
+        let pair = Pair::new(wi, wo);
+        let quotient = pair.cos_d * wi.z() / T::select(drawn, pair.cos_h, one);
         let scale = self.constant * T::lit(4.0 * TAU) / (self.exponent + two);
-        let pdf = self.pdf_of(&Pair::new(wi, wo));
+        let pdf = self.pdf_of(&pair);
         Sample { wi, weight: self.specular * (scale * quotient), pdf }
             .only_where(drawn.and(pdf.gt(zero)))
     }
@@ -179,7 +182,7 @@ impl<T: Real, C> BlinnPhong<C, T> {
         let (one, two) = (T::lit(1.0), T::lit(2.0));
         let density = (self.exponent + two) * T::lit(0.125 * FRAC_1_PI);
         let cos_d = T::select(pair.above, pair.cos_d, one);
-        let value = density * half_vector_power(pair, self.exponent + one) / cos_d;
+        let value = density * half_vector_power(pair, self.exponent) * pair.cos_h / cos_d;
         T::select(pair.above, value.min(T::max_finite()), T::lit(0.0))
     }
 }

@@ -188,9 +188,11 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
     #[inline]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let [u, turn] = uniform(u);
-        let versine = self.sampled_versine(u);
-        let wi = around_mirror::<T>(wo, versine, turn);
+        let wi = around_mirror::<T>(wo, self.sampled_versine(u), turn);
         let pdf = self.pdf(wi, wo);
+        // That of the rounded direction, for which `eval` and `pdf` answer: at the rim of the lobe
+        // S is close to zero and its relative error large.
+        let versine = mirror_versine::<T>(wi, wo);
         Sample { wi, weight: self.specular * self.weight(versine, wi.z()), pdf }
             .only_where(pdf.gt(T::lit(0.0)))
     }
