@@ -1,0 +1,93 @@
+//! Samples of a model from one direction, counted and held against what the model says of them.
+
+use brdf::{Brdf, Color, Real, Vector};
+use glam::DVec3;
+use rand::distr::{Distribution, StandardUniform};
+use rand::{RngExt, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+
+use super::cubature::Witness;
+use super::chart::Chart;
+use super::partition::Partition;
+
+/// What was drawn.
+pub struct Draws {
+    pub count: u32,
+    /// In each cell, and last those that gave no direction.
+    pub counts: Vec<u32>,
+    /// Mean of the weights.
+    pub mean: DVec3,
+    /// The largest weight of a channel.
+    pub largest: f64,
+    /// Largest difference of a sample's pdf from `pdf`, and of its weight times `pdf` from `eval`
+    /// times the cosine, relative to the larger one, in units of the precision's epsilon.
+    pub pdf_ulps: f64,
+    pub weight_ulps: f64,
+    /// Every pair of uniform numbers, and whether it gave no direction.
+    pub witnesses: Vec<Witness>,
+}
+
+/// Draws from `wo` in the precision of the model.
+pub fn draw<T: Real + Into<f64>>(
+    model: &dyn Brdf<T, Color = T::Vec3>,
+    wo: T::Vec3,
+    (chart, cells): (&Chart, &Partition),
+    seed: u64,
+    count: u32,
+) -> Draws
+where
+    T::Vec3: Color<T>,
+    StandardUniform: Distribution<T>,
+{
+    let mut rng = Pcg64Mcg::seed_from_u64(seed);
+    let failed = cells.cells().len();
+    let mut draws = Draws {
+        count,
+        counts: vec![0; failed + 1],
+        mean: DVec3::ZERO,
+        largest: 0.0,
+        pdf_ulps: 0.0,
+        weight_ulps: 0.0,
+        witnesses: Vec::with_capacity(count as usize),
+    };
+    let epsilon = epsilon::<T>();
+    let ulps =
+        |a: f64, b: f64| (a - b).abs() / (a.abs().max(b.abs()).max(f64::MIN_POSITIVE) * epsilon);
+    for _ in 0..count {
+        let u: [T; 2] = [rng.random(), rng.random()];
+        let sample = model.sample(wo, u);
+        let (weight, pdf): (DVec3, f64) = (wide::<T>(sample.weight), sample.pdf.into());
+        draws.mean += weight;
+        draws.largest = draws.largest.max(weight.max_element());
+        draws.witnesses.push((u.map(Into::into), pdf == 0.0));
+        if pdf == 0.0 {
+            draws.counts[failed] += 1;
+            continue;
+        }
+        let wi = wide::<T>(sample.wi);
+        draws.counts[cells.locate(chart.place(wi))] += 1;
+        let own: f64 = model.pdf(sample.wi, wo).into();
+        draws.pdf_ulps = draws.pdf_ulps.max(ulps(pdf, own));
+        let value = wide::<T>(model.eval(sample.wi, wo)) * wi.z;
+        for channel in 0..3 {
+            let difference = ulps(weight[channel] * own, value[channel]);
+            draws.weight_ulps = draws.weight_ulps.max(difference);
+        }
+    }
+    draws.mean /= f64::from(count);
+    draws
+}
+
+fn wide<T: Real + Into<f64>>(vector: T::Vec3) -> DVec3 {
+    DVec3::new(vector.x().into(), vector.y().into(), vector.z().into())
+}
+
+/// The distance of 1 from the next number.
+pub fn epsilon<T: Real + Into<f64>>() -> f64 {
+    let one = T::lit(1.0);
+    let mut epsilon = 1.0;
+    while (one + T::lit(0.5 * epsilon)).into() > 1.0 {
+        epsilon *= 0.5;
+    }
+    epsilon
+}
