@@ -4,35 +4,27 @@ mod common;
 
 use std::sync::LazyLock;
 
-use brdf::quadrature::mean_over_square;
+use brdf::{Brdf, Color, Constant, CookTorrance, Ggx, Real, Sample, SmithCorrelated};
 use common::measure::sampling::chi_squared::least_of;
-use common::measure::sampling::{Samples, Sampling, Size, measure};
 use common::measure::sampling::viewers;
+use common::measure::sampling::{Samples, Sampling, Size, measure};
 use common::models;
-use glam::DVec3;
 use rayon::prelude::*;
 
 /// Small enough for every day.
-const SIZE: Size = Size { pilot: 8_000, draws: 20_000, tolerance: 1e-6, budget: 1_000_000 };
+const SIZE: Size = Size { pilot: 8_000, draws: 20_000, tolerance: 1.5e-7, budget: 600_000 };
 
 struct Case {
     name: String,
     sampling: Sampling,
-    /// Whether the model's albedo is the mean weight of a lattice, and no formula.
-    by_lattice: bool,
+    /// Whether the model's albedo is a formula, not the mean weight of a lattice.
+    closed_form: bool,
 }
 
 /// Every model from every direction.
 static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
     let (double, single) = (models::all::<f64>(), models::all::<f32>());
     let viewers = viewers::all();
-    let by_lattice: Vec<bool> = double
-        .iter()
-        .map(|entry| {
-            let lattice: DVec3 = mean_over_square(|u| entry.model.sample(DVec3::Z, u).weight);
-            entry.model.albedo(DVec3::Z) == lattice
-        })
-        .collect();
     let tasks: Vec<(usize, usize)> = (0..double.len())
         .flat_map(|entry| (0..viewers.len()).map(move |viewer| (entry, viewer)))
         .collect();
@@ -42,7 +34,9 @@ static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
         Case {
             name: format!("{} from {from}", double[entry].name),
             sampling: measure(model, &*single[entry].model, wo, seed, SIZE),
-            by_lattice: by_lattice[entry],
+            closed_form: ["brdf::diffuse", "brdf::glossy"]
+                .iter()
+                .any(|module| double[entry].type_name.starts_with(module)),
         }
     };
     tasks.into_par_iter().map(case).collect()
@@ -70,19 +64,6 @@ fn samples_follow_the_density() {
     });
 }
 
-/// ∫ pdf dω + P(no direction) = 1.
-#[test]
-fn the_density_leaves_nothing_out() {
-    assert_all(|Case { sampling, .. }| {
-        let good = sampling.excess().abs() < 1e-6
-            && sampling.mass.error <= 1e-6
-            && sampling.failure.error <= 1e-6;
-        (!good).then(|| {
-            format!("{:e}, {:?}, {:?}", sampling.excess(), sampling.mass, sampling.failure)
-        })
-    });
-}
-
 /// The pdf of a sample is `pdf`, to the last bit; its weight times `pdf` is `eval` times the
 /// cosine, up to the rounding of the few factors in which the formulas differ.
 #[test]
@@ -106,13 +87,15 @@ fn weights_average_to_the_albedo() {
     });
 }
 
-/// The model's own albedo agrees with the integral: formulas to its precision, means of a lattice
-/// to 5·10⁻⁴ of the largest weight they can have.
+/// The model's own albedo agrees with the integral: formulas to the precision of that, means of a
+/// lattice to 5·10⁻⁴, of the largest weight if that is larger.
 #[test]
 fn albedo_is_the_integral() {
-    assert_all(|Case { sampling, by_lattice, .. }| {
+    assert_all(|Case { sampling, closed_form, .. }| {
         let error = (sampling.own_albedo - sampling.albedo).abs().max_element();
-        let bound = if *by_lattice { 5e-4 * sampling.albedo.max_element().max(1.0) } else { 2e-7 };
+        let lattice = 5e-4 * sampling.albedo.max_element().max(1.0);
+        // Ten times the tolerance is asked of the albedo, and an estimate is no bound.
+        let bound = if *closed_form { 30.0 * SIZE.tolerance } else { lattice };
         (error > bound).then(|| format!("{error:e} of {}", sampling.albedo))
     });
 }
@@ -125,3 +108,52 @@ fn figures() {
         println!("{name}: {sampling:?}");
     }
 }
+
+/// A model that claims the density of another.
+struct Claims<M, P> {
+    drawn: M,
+    claimed: P,
+}
+
+impl<T: Real, M: Brdf<T>, P: Brdf<T>> Brdf<T> for Claims<M, P> {
+    type Color = M::Color;
+
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> M::Color {
+        self.drawn.eval(wi, wo)
+    }
+
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        self.claimed.pdf(wi, wo)
+    }
+
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, M::Color> {
+        let sample = self.drawn.sample(wo, u);
+        Sample { pdf: self.claimed.pdf(sample.wi, wo), ..sample }
+    }
+}
+
+fn ggx<T: Real>(roughness: f64) -> impl Brdf<T, Color = T::Vec3>
+where
+    T::Vec3: Color<T>,
+{
+    let white = Constant::new(<T::Vec3 as Color<T>>::splat(T::lit(1.0))).unwrap();
+    CookTorrance::new(Ggx::new(T::lit(roughness)).unwrap(), white).with_shadowing(SmithCorrelated)
+}
+
+/// A density that is as well normalised as the right one but 3 % too wide is found by its counts,
+/// and the weights no longer belong to it.
+#[test]
+fn a_wrong_density_is_noticed() {
+    for (name, wo) in viewers::all() {
+        let double = Claims { drawn: ggx::<f64>(0.3), claimed: ggx::<f64>(0.309) };
+        let single = Claims { drawn: ggx::<f32>(0.3), claimed: ggx::<f32>(0.309) };
+        let size = Size { draws: 200_000, ..SIZE };
+        let sampling = measure(&double, &single, wo, 1, size);
+        let p = sampling.double.verdict.p_value.max(sampling.single.verdict.p_value);
+        assert!(p < least_of(2 * CASES_ABOUT), "{name}: {p}");
+        assert!(sampling.double.weight_ulps > 1e12, "{name}");
+    }
+}
+
+/// So many cases that the claim above is not easier than that of the suite.
+const CASES_ABOUT: usize = 1000;

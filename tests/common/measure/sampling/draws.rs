@@ -6,8 +6,8 @@ use rand::distr::{Distribution, StandardUniform};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::cubature::Witness;
 use super::chart::Chart;
+use super::cubature::Witness;
 use super::partition::Partition;
 
 /// What was drawn.

@@ -16,10 +16,10 @@ pub fn integrate<const K: usize>(
 ) -> (Piece<K>, bool) {
     let across = 1 - axis;
     let half = 0.5 * rectangle.width(across);
-    let ends = rectangle.inset(axis);
+    let ends = [rectangle.from[axis], rectangle.to[axis]];
     let lines = nodes(rectangle.from[across], rectangle.to[across]).map(|place| {
         let at = |along: f64| if axis == 0 { [along, place] } else { [place, along] };
-        Line::integrate(integrand, ends, at)
+        Line::integrate(integrand, ends, rectangle.inset(axis), at)
     });
     let (mut integral, mut errors) = ([0.0; K], [0.0; 2]);
     for (k, integral) in integral.iter_mut().enumerate() {
@@ -62,12 +62,13 @@ impl<const K: usize> Line<K> {
     fn integrate(
         integrand: &mut Integrand<impl Fn([f64; 2]) -> ([f64; K], f64)>,
         ends: [f64; 2],
+        inset: [f64; 2],
         at: impl Fn(f64) -> [f64; 2],
     ) -> Self {
         let mut line = Self { integral: [0.0; K], error: 0.0, inside: 0.0 };
         let mut start = ends[0];
-        let mut before = (start, integrand.inside(at(start)));
-        for place in points(ends).skip(1) {
+        let mut before = (start, integrand.inside(at(inset[0])));
+        for place in points(inset).skip(1) {
             let now = (place, integrand.inside(at(place)));
             if now.1 != before.1 {
                 let edge = edge(integrand, before, place, &at);

@@ -125,10 +125,8 @@ pub fn measure(double: &Model64, single: &Model32, wo: DVec3, seed: u64, size: S
 fn cells(model: &Model64, wo: DVec3, chart: &Chart, seed: u64, count: u32) -> Partition {
     let mut rng = Pcg64Mcg::seed_from_u64(seed);
     let samples = (0..count).map(|_| model.sample(wo, [rng.random(), rng.random()]));
-    let places: Vec<[f64; 2]> = samples
-        .filter(|sample| sample.pdf > 0.0)
-        .map(|sample| chart.place(sample.wi))
-        .collect();
+    let places: Vec<[f64; 2]> =
+        samples.filter(|sample| sample.pdf > 0.0).map(|sample| chart.place(sample.wi)).collect();
     // Steps in both coordinates are compared by their lengths at the mean height.
     let mean = places.iter().map(|place| place[0]).sum::<f64>() / places.len().max(1) as f64;
     let most = places.len() / 192;
@@ -155,7 +153,7 @@ fn integrals(
         let pdf = model.pdf(wi, wo);
         let value = model.eval(wi, wo) * wi.z;
         let first = value * FIRST;
-        let second = if pdf > 0.0 { value * value * (SECOND / pdf) } else { DVec3::ZERO };
+        let second = if pdf > 0.0 { value * (value / pdf) * SECOND } else { DVec3::ZERO };
         ([pdf, first.x, first.y, first.z, second.x, second.y, second.z], area)
     })
 }

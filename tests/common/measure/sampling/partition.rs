@@ -21,10 +21,10 @@ impl Rectangle {
         self.width(0) * self.width(1)
     }
 
-    /// The ends along an axis, moved inwards by too little to matter: at the ends themselves,
-    /// which may be the horizon, a function need not have its limit.
+    /// The ends along an axis, moved inwards by little: at the ends themselves, which may be the
+    /// horizon, a function need not have its limit.
     pub fn inset(&self, axis: usize) -> [f64; 2] {
-        let inset = 1e-9 * self.width(axis);
+        let inset = 1e-5 * self.width(axis);
         [self.from[axis] + inset, self.to[axis] - inset]
     }
 
