@@ -110,13 +110,24 @@ pub(crate) fn readme(text: &str, rows: &[Row]) -> Result<String, String> {
         let exact = largest(|row| row.reciprocity_f64.ulp.max(row.reciprocity_f32.ulp)) == 0.0;
         let _ = writeln!(
             table,
-            "| `{kind}` | {} | {} | {:.4} | {:.1e}, {:.1e} |",
+            "| `{kind}` | {} | {} | {} | {:.1e}, {:.1e} |",
             rows.len(),
             if exact { "to the last bit" } else { "no" },
-            largest(|row| row.energy.maximum),
+            albedos(rows),
             largest(|row| row.precision.median),
             largest(|row| row.precision.maximum),
         );
     }
     Ok(format!("{head}{BEGIN}{table}{END}{tail}"))
+}
+
+/// The largest albedo of the entries that conserve energy, and of those that do not.
+fn albedos(rows: &[&Row]) -> String {
+    let brightest = |gains: bool| {
+        let some = rows.iter().filter(|row| (row.energy.maximum > 1.0 + 1e-12) == gains);
+        some.max_by(|a, b| a.energy.maximum.total_cmp(&b.energy.maximum))
+    };
+    let conserving = brightest(false).map(|row| format!("{:.4}", row.energy.maximum));
+    let gaining = brightest(true).map(|row| format!("{:.4} ({})", row.energy.maximum, row.name));
+    conserving.into_iter().chain(gaining).collect::<Vec<_>>().join("; ")
 }
