@@ -69,7 +69,8 @@ const ROW: u32 = 113;
 /// The mean of `formula` over the unit square, by the 4181 points of a Fibonacci lattice.
 ///
 /// For formulas that are smooth, or jump along a few lines, as samples do at the horizon. All
-/// points weigh the same, so that the mean never leaves the range of the formula.
+/// points weigh the same, so that the mean leaves the range of the formula by no
+/// more than rounding.
 ///
 /// ```
 /// use brdf::quadrature::mean_over_square;

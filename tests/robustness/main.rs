@@ -3,8 +3,10 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod colors;
 mod geometry;
 mod inputs;
 mod models;
 mod parameters;
+mod parts;
 mod uniforms;
