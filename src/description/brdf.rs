@@ -10,7 +10,7 @@ use super::fresnel::FresnelDescription;
 use super::model::{Blinn1977Form, Lobe, Model, Shadowed};
 use super::normals::Normals;
 use super::place::{Place, Record};
-use super::value::{ColorDescription, RoughnessDescription};
+use super::value::{ColorDescription, RoughnessDescription, colored};
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::error::{ParameterError, range};
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
@@ -166,32 +166,38 @@ impl BrdfDescription {
         Ok(match self {
             Self::Lambert { albedo } => {
                 let built = Lambert::new(albedo.color::<T>());
-                Model::Lambert(place.key("lambert").parameters(built)?)
+                let colors = [("albedo", *albedo)];
+                Model::Lambert(colored::<T, _>(&place.key("lambert"), &colors, built)?)
             }
             Self::OrenNayar { albedo, sigma, interreflection } => {
                 let new =
                     if *interreflection { OrenNayar::with_interreflection } else { OrenNayar::new };
                 let built = new(albedo.color::<T>(), T::lit(*sigma));
-                Model::OrenNayar(place.key("oren_nayar").parameters(built)?)
+                let colors = [("albedo", *albedo)];
+                Model::OrenNayar(colored::<T, _>(&place.key("oren_nayar"), &colors, built)?)
             }
             Self::Phong { specular, exponent, normalized } => {
-                let (place, specular) = (place.key("phong"), specular.color::<T>());
-                let exponent = T::lit(*exponent);
+                let (place, colors) = (place.key("phong"), [("specular", *specular)]);
+                let (specular, exponent) = (specular.color::<T>(), T::lit(*exponent));
                 Model::Lobe(if *normalized {
-                    Lobe::Phong(place.parameters(Phong::new(specular, exponent))?)
+                    let built = Phong::new(specular, exponent);
+                    Lobe::Phong(colored::<T, _>(&place, &colors, built)?)
                 } else {
-                    Lobe::ClassicPhong(place.parameters(ClassicPhong::new(specular, exponent))?)
+                    let built = ClassicPhong::new(specular, exponent);
+                    Lobe::ClassicPhong(colored::<T, _>(&place, &colors, built)?)
                 })
             }
             Self::BlinnPhong { specular, exponent, normalized } => {
+                let (place, colors) = (place.key("blinn_phong"), [("specular", *specular)]);
                 let new = if *normalized { BlinnPhong::new } else { BlinnPhong::unnormalized };
                 let built = new(specular.color::<T>(), T::lit(*exponent));
-                Model::Lobe(Lobe::BlinnPhong(place.key("blinn_phong").parameters(built)?))
+                Model::Lobe(Lobe::BlinnPhong(colored::<T, _>(&place, &colors, built)?))
             }
             Self::SchlickPower { specular, exponent, normalized } => {
+                let (place, colors) = (place.key("schlick_power"), [("specular", *specular)]);
                 let new = if *normalized { SchlickPower::new } else { SchlickPower::unnormalized };
                 let built = new(specular.color::<T>(), T::lit(*exponent));
-                Model::Lobe(Lobe::SchlickPower(place.key("schlick_power").parameters(built)?))
+                Model::Lobe(Lobe::SchlickPower(colored::<T, _>(&place, &colors, built)?))
             }
             Self::CookTorrance { distribution, fresnel, shadowing } => {
                 let place = place.key("cook_torrance");
@@ -261,9 +267,10 @@ fn sum<T: Real>(
         let place = place.term(index)?;
         let weight = term.weight.color::<T>();
         // Here and not only by the sum, because here the term is known.
-        place.parameters(ParameterError::check("weight", range::WEIGHT, |lower, upper| {
+        let checked_weight = ParameterError::check("weight", range::WEIGHT, |lower, upper| {
             Color::<T>::outside(weight, lower, upper)
-        }))?;
+        });
+        term.weight.parameter::<T, _>(&place.key("weight"), checked_weight)?;
         checked.push((weight, term.brdf.checked(&place.key("brdf"))?));
     }
     place.parameter(WeightedSum::new(checked))

@@ -16,7 +16,7 @@ use crate::error::ParameterError;
 /// let error = serde_json::from_str::<BrdfDescription>(text).unwrap_err();
 /// assert_eq!(
 ///     error.to_string(),
-///     "sum[0].brdf.lambert.albedo must be between 0 and 1, not 1.5"
+///     "sum[0].brdf.lambert.albedo[2] must be between 0 and 1, not 1.5"
 /// );
 /// ```
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use super::any::AnyFresnel;
 use super::error::{DescriptionError, Problem};
 use super::form::{entrance, forms};
 use super::place::{Place, Record};
-use super::value::{ColorDescription, IndexDescription};
+use super::value::{ColorDescription, IndexDescription, colored};
 use crate::fresnel::{Conductor, Constant, Cook, Dielectric, Hall, Schlick};
 use crate::real::Real;
 
@@ -111,45 +111,55 @@ impl FresnelDescription {
         place: &Place<'_>,
     ) -> Result<Reflectance<T>, DescriptionError> {
         Ok(match self {
-            Self::Constant(reflectance) => Reflectance::Constant(
-                place.key("constant").parameter(Constant::new(reflectance.color::<T>()))?,
-            ),
-            Self::Dielectric { ior } => Reflectance::Dielectric(
-                place.key("dielectric").parameters(Dielectric::new(ior.color::<T>()))?,
-            ),
+            Self::Constant(reflectance) => {
+                let built = Constant::new(reflectance.color::<T>());
+                let place = place.key("constant");
+                Reflectance::Constant(reflectance.parameter::<T, _>(&place, built)?)
+            }
+            Self::Dielectric { ior } => {
+                let built = Dielectric::new(ior.color::<T>());
+                let (place, colors) = (place.key("dielectric"), [("ior", *ior)]);
+                Reflectance::Dielectric(colored::<T, _>(&place, &colors, built)?)
+            }
             Self::Conductor { eta, k } => {
                 let built = Conductor::new(eta.color::<T>(), k.color::<T>());
-                Reflectance::Conductor(place.key("conductor").parameters(built)?)
+                let (place, colors) = (place.key("conductor"), [("eta", *eta), ("k", *k)]);
+                Reflectance::Conductor(colored::<T, _>(&place, &colors, built)?)
             }
             Self::Metal(name) => {
                 let place = place.key("metal");
                 Reflectance::Conductor(metal::<T>(name).map_err(|problem| place.error(problem))?)
             }
-            Self::Schlick { f0 } => Reflectance::Schlick(
-                place.key("schlick").parameters(Schlick::new(f0.color::<T>()))?,
-            ),
+            Self::Schlick { f0 } => {
+                let built = Schlick::new(f0.color::<T>());
+                let (place, colors) = (place.key("schlick"), [("f0", *f0)]);
+                Reflectance::Schlick(colored::<T, _>(&place, &colors, built)?)
+            }
             Self::Hall { f0, ior } => {
-                let (place, f0) = (place.key("hall"), f0.color::<T>());
+                let (place, colors) = (place.key("hall"), [("f0", *f0)]);
+                let f0 = f0.color::<T>();
                 match *ior {
                     IndexDescription::Real(ior) => {
-                        Reflectance::Hall(place.parameters(Hall::new(f0, T::lit(ior)))?)
+                        let built = Hall::new(f0, T::lit(ior));
+                        Reflectance::Hall(colored::<T, _>(&place, &colors, built)?)
                     }
                     IndexDescription::Complex(ior) => {
                         let built = Hall::with_reference(f0, conductor(ior, &place)?);
-                        Reflectance::HallOfConductor(place.parameters(built)?)
+                        Reflectance::HallOfConductor(colored::<T, _>(&place, &colors, built)?)
                     }
                 }
             }
             Self::Cook { f0, light, ior } => {
-                let place = place.key("cook");
+                let (place, colors) = (place.key("cook"), [("f0", *f0), ("light", *light)]);
                 let (f0, light) = (f0.color::<T>(), light.color::<T>());
                 match *ior {
                     IndexDescription::Real(ior) => {
-                        Reflectance::Cook(place.parameters(Cook::new(f0, light, T::lit(ior)))?)
+                        let built = Cook::new(f0, light, T::lit(ior));
+                        Reflectance::Cook(colored::<T, _>(&place, &colors, built)?)
                     }
                     IndexDescription::Complex(ior) => {
                         let built = Cook::with_reference(f0, light, conductor(ior, &place)?);
-                        Reflectance::CookOfConductor(place.parameters(built)?)
+                        Reflectance::CookOfConductor(colored::<T, _>(&place, &colors, built)?)
                     }
                 }
             }

@@ -24,6 +24,41 @@ impl ColorDescription {
             Self::Rgb([r, g, b]) => Vector::new(T::lit(r), T::lit(g), T::lit(b)),
         }
     }
+
+    /// What a constructor says with this colour, the value of the place, as its one parameter.
+    pub(super) fn parameter<T: Real, V>(
+        self,
+        place: &Place<'_>,
+        result: Result<V, ParameterError>,
+    ) -> Result<V, DescriptionError> {
+        let channel = match (&result, self) {
+            (Err(error), Self::Rgb(channels)) => {
+                let (lower, upper) = error.range();
+                channels.iter().position(|value| T::lit(*value).outside(lower, upper).is_some())
+            }
+            _ => None,
+        };
+        match channel {
+            Some(channel) => place.index(channel).parameter(result),
+            None => place.parameter(result),
+        }
+    }
+}
+
+/// What a constructor says whose parameters are called like the keys of the place, some of them
+/// colours.
+pub(super) fn colored<T: Real, V>(
+    place: &Place<'_>,
+    colors: &[(&str, ColorDescription)],
+    result: Result<V, ParameterError>,
+) -> Result<V, DescriptionError> {
+    let parameter = result.as_ref().err().map(ParameterError::parameter);
+    match (parameter, colors.iter().find(|(key, _)| Some(*key) == parameter)) {
+        (Some(parameter), Some((_, color))) => {
+            color.parameter::<T, V>(&place.key(parameter), result)
+        }
+        _ => place.parameters(result),
+    }
 }
 
 impl<'de> Parse<'de> for ColorDescription {

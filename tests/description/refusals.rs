@@ -15,7 +15,7 @@ fn values_out_of_range_name_their_place_and_the_range() {
     for (text, message) in [
         (
             r#"{"lambert": {"albedo": [0.5, 1.5, 0.5]}}"#,
-            "lambert.albedo must be between 0 and 1, not 1.5",
+            "lambert.albedo[1] must be between 0 and 1, not 1.5",
         ),
         (
             r#"{"oren_nayar": {"albedo": 0.5, "sigma": 2}}"#,
@@ -58,7 +58,7 @@ fn values_out_of_range_name_their_place_and_the_range() {
         ),
         (
             r#"{"sum": [{"weight": [0, 0, -1], "brdf": {"lambert": {"albedo": 1}}}]}"#,
-            "sum[0].weight must be between 0 and 1e10, not -1",
+            "sum[0].weight[2] must be between 0 and 1e10, not -1",
         ),
         (r#"{"sum": []}"#, "sum: total weight must be between 1e-30 and 1e30, not 0"),
         (
@@ -73,11 +73,16 @@ fn values_out_of_range_name_their_place_and_the_range() {
         assert_eq!(model_error(text), message);
     }
     for (text, message) in [
+        (
+            r#"{"dielectric": {"ior": [1, 2, 0]}}"#,
+            "dielectric.ior[2] must be between 0.0001 and 10000, not 0",
+        ),
+        (r#"{"constant": [0, 2, 3]}"#, "constant[1] must be between 0 and 1, not 2"),
         (r#"{"constant": 2}"#, "constant must be between 0 and 1, not 2"),
         (r#"{"dielectric": {"ior": 0}}"#, "dielectric.ior must be between 0.0001 and 10000, not 0"),
         (
             r#"{"conductor": {"eta": 1, "k": [1, 1, -1]}}"#,
-            "conductor.k must be between 0 and 10000, not -1",
+            "conductor.k[2] must be between 0 and 10000, not -1",
         ),
         (r#"{"schlick": {"f0": 1.1}}"#, "schlick.f0 must be between 0 and 1, not 1.1"),
         (
@@ -220,7 +225,7 @@ fn unknown_metals_are_named() {
 fn numbers_that_are_none_are_out_of_range() {
     for (text, message) in [
         ("lambert(albedo: NaN)", "lambert.albedo must be between 0 and 1, not NaN"),
-        ("lambert(albedo: [0, inf, 0])", "lambert.albedo must be between 0 and 1, not inf"),
+        ("lambert(albedo: [0, inf, 0])", "lambert.albedo[1] must be between 0 and 1, not inf"),
     ] {
         let error = ron::from_str::<BrdfDescription>(text).expect_err(text);
         assert!(error.to_string().contains(message), "{error}");
