@@ -36,13 +36,15 @@ macro_rules! forms {
             ) -> Result<Self, D::Error> {
                 use core::fmt;
                 use serde::de::{EnumAccess, VariantAccess, Visitor};
+                use $crate::description::parse::Progress;
                 use $crate::description::place::Place;
 
                 const WORDS: &[&str] = &[$($tag),+];
-                struct Forms<'a>(&'a Place<'a>);
+                struct Forms<'a>(&'a Place<'a>, &'a Progress);
                 impl<'de> Visitor<'de> for Forms<'_> {
                     type Value = $name;
                     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                        self.1.tell();
                         f.write_str($what)
                     }
                     fn visit_enum<A: EnumAccess<'de>>(self, form: A) -> Result<$name, A::Error> {
@@ -50,6 +52,7 @@ macro_rules! forms {
                             place: self.0,
                             words: WORDS,
                         })?;
+                        self.1.named(tag);
                         let place = self.0.key(tag);
                         let result = match tag {
                             $( $tag => $crate::description::form::content!(
@@ -62,7 +65,9 @@ macro_rules! forms {
                         result.inspect_err(|_| place.note_failure())
                     }
                 }
-                from.deserialize_enum(stringify!($name), WORDS, Forms(place))
+                let progress = Progress::default();
+                let read = from.deserialize_enum(stringify!($name), WORDS, Forms(place, &progress));
+                progress.explain(place, $what, read)
             }
         }
     };
@@ -88,7 +93,9 @@ macro_rules! part {
                 from: D,
             ) -> Result<Self, D::Error> {
                 $crate::description::form::keys!([$name] as $name { $( $field: $type ),+ });
-                from.deserialize_struct(stringify!($name), KEYS, Keys(place))
+                let progress = $crate::description::parse::Progress::default();
+                let read = from.deserialize_struct(stringify!($name), KEYS, Keys(place, &progress));
+                progress.explain(place, EXPECTED, read)
             }
         }
     };
@@ -112,11 +119,16 @@ macro_rules! words {
                 from: D,
             ) -> Result<Self, D::Error> {
                 const WORDS: &[&str] = &[$($word),+];
-                struct Words<'a>(&'a $crate::description::place::Place<'a>);
+                const EXPECTED: &str = concat!("one of", $( " `", $word, "`" ),+);
+                struct Words<'a>(
+                    &'a $crate::description::place::Place<'a>,
+                    &'a $crate::description::parse::Progress,
+                );
                 impl<'de> serde::de::Visitor<'de> for Words<'_> {
                     type Value = $name;
                     fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                        f.write_str(concat!("one of", $( " `", $word, "`" ),+))
+                        self.1.tell();
+                        f.write_str(EXPECTED)
                     }
                     fn visit_enum<A: serde::de::EnumAccess<'de>>(
                         self,
@@ -134,7 +146,9 @@ macro_rules! words {
                         }
                     }
                 }
-                from.deserialize_enum(stringify!($name), WORDS, Words(place))
+                let progress = $crate::description::parse::Progress::default();
+                let read = from.deserialize_enum(stringify!($name), WORDS, Words(place, &progress));
+                progress.explain(place, EXPECTED, read)
             }
         }
     };
@@ -149,7 +163,9 @@ macro_rules! content {
     };
     ($content:ident, $place:ident, [$name:ident :: $variant:ident] { $($keys:tt)+ }) => {{
         $crate::description::form::keys!([$name::$variant] as $name { $($keys)+ });
-        $content.struct_variant(KEYS, Keys(&$place))
+        let progress = $crate::description::parse::Progress::default();
+        let read = $content.struct_variant(KEYS, Keys(&$place, &progress));
+        progress.explain(&$place, EXPECTED, read)
     }};
 }
 
@@ -160,11 +176,17 @@ macro_rules! keys {
         { $( $field:ident: $type:ty $(= $default:expr)? ),+ }
     ) => {
         const KEYS: &[&str] = &[$(stringify!($field)),+];
-        struct Keys<'a>(&'a $crate::description::place::Place<'a>);
+        const EXPECTED: &str =
+            concat!("an object with the keys", $( " `", stringify!($field), "`" ),+);
+        struct Keys<'a>(
+            &'a $crate::description::place::Place<'a>,
+            &'a $crate::description::parse::Progress,
+        );
         impl<'de> serde::de::Visitor<'de> for Keys<'_> {
             type Value = $value;
             fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                f.write_str(concat!("an object with the keys", $( " `", stringify!($field), "`" ),+))
+                self.1.tell();
+                f.write_str(EXPECTED)
             }
             fn visit_map<A: serde::de::MapAccess<'de>>(
                 self,

@@ -6,10 +6,13 @@
 
 use alloc::string::String;
 use alloc::vec::Vec;
+use core::cell::Cell;
 use core::fmt;
 use core::marker::PhantomData;
 
-use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
+use serde::de::{
+    DeserializeSeed, Deserializer, Error, Expected, IgnoredAny, MapAccess, SeqAccess, Visitor,
+};
 
 use super::error::DescriptionError;
 use super::place::{Place, Record};
@@ -55,6 +58,42 @@ pub(super) fn whole<'de, V: Parse<'de>, D: Deserializer<'de>>(
     Ok(value)
 }
 
+/// How far a reader of a value got, to explain errors that formats raise by themselves.
+#[derive(Debug, Default)]
+pub(super) struct Progress {
+    /// The name that was read.
+    name: Cell<Option<&'static str>>,
+    /// Whether what is expected was asked for: then an error says it.
+    told: Cell<bool>,
+}
+
+impl Progress {
+    pub(super) fn named(&self, name: &'static str) {
+        self.name.set(Some(name));
+    }
+
+    pub(super) fn tell(&self) {
+        self.told.set(true);
+    }
+
+    /// The result, whose error says what is expected here unless it says that already or comes
+    /// from further inside.
+    pub(super) fn explain<V, E: Error>(
+        &self,
+        place: &Place<'_>,
+        expected: &str,
+        result: Result<V, E>,
+    ) -> Result<V, E> {
+        result.map_err(|error| match self.name.get() {
+            _ if self.told.get() || place.has_failed() => error,
+            None => E::custom(format_args!("expected {expected}: {error}")),
+            Some(name) => {
+                E::custom(format_args!("`{name}` must be the only key of its object: {error}"))
+            }
+        })
+    }
+}
+
 /// A key, or the name of a variant: one of a few words.
 pub(super) struct Word<'a> {
     pub(super) place: &'a Place<'a>,
@@ -86,7 +125,7 @@ impl Visitor<'_> for Word<'_> {
     fn visit_str<E: Error>(self, found: &str) -> Result<&'static str, E> {
         self.words.iter().find(|word| **word == found).copied().ok_or_else(|| {
             self.place.note_failure_at_word(&beginning(found));
-            E::custom(format_args!("unknown name, expected {}", &self as &dyn serde::de::Expected))
+            E::custom(format_args!("unknown name, expected {}", &self as &dyn Expected))
         })
     }
 }
@@ -194,10 +233,12 @@ impl<'de, const N: usize> Parse<'de> for Numbers<N> {
                         .next_element_seed(At::new(&self.0.index(index)))?
                         .ok_or_else(|| A::Error::invalid_length(index, &self))?;
                 }
-                let beyond: Option<f64> = list.next_element_seed(At::new(&self.0.index(N)))?;
-                match beyond {
+                match list.next_element::<IgnoredAny>()? {
                     None => Ok(Numbers::Each(numbers)),
-                    Some(value) => Err(A::Error::invalid_value(Unexpected::Float(value), &self)),
+                    Some(_) => Err(A::Error::custom(format_args!(
+                        "invalid length, more than {N}, expected {}",
+                        &self as &dyn Expected
+                    ))),
                 }
             }
         }

@@ -103,6 +103,11 @@ impl<'a> Place<'a> {
         });
     }
 
+    /// Whether it is known already where reading failed.
+    pub(super) const fn has_failed(&self) -> bool {
+        self.record.failed.get()
+    }
+
     fn note_failure_at(&self, place: impl FnOnce() -> String) {
         if !self.record.failed.replace(true) {
             self.record.failure.replace(place());

@@ -105,8 +105,7 @@ fn values_out_of_range_name_their_place_and_the_range() {
     }
     let text = r#"{"hall": {"f0": 1, "ior": [1, 2, 3]}}"#;
     let error = serde_json::from_str::<FresnelDescription>(text).expect_err(text).to_string();
-    let message = "hall.ior: invalid value: floating point `3.0`, expected a number or a list of 2 \
-                   numbers";
+    let message = "hall.ior: invalid length, more than 2, expected a number or a list of 2 numbers";
     assert!(error.starts_with(message), "{error}");
     let text = r#"{"gaussian": {"roughness": 1e5}}"#;
     let error = serde_json::from_str::<DistributionDescription>(text).expect_err(text);
@@ -143,8 +142,7 @@ fn mistakes_of_form_name_their_place() {
         ),
         (
             r#"{"phong": {"specular": [1, 1, 1, 1], "exponent": 1}}"#,
-            "phong.specular: invalid value: floating point `1.0`, expected a number or a list of \
-             3 numbers",
+            "phong.specular: invalid length, more than 3, expected a number or a list of 3 numbers",
         ),
         (
             r#"{"phong": {"specular": [1, null, 1], "exponent": 1}}"#,
@@ -181,6 +179,58 @@ fn mistakes_of_form_name_their_place() {
         let (found, position) = error.split_once(" at line ").expect(&error);
         assert_eq!(found, message);
         assert!(position.contains(" column "), "{error}");
+    }
+}
+
+/// Errors that the reader of JSON raises by itself say what is expected, too.
+#[test]
+fn values_of_a_wrong_form_say_what_is_expected() {
+    const MODEL: &str = r#"expected a model, such as {"lambert": {"albedo": 0.5}}: "#;
+    for (text, message) in [
+        ("{}", format!("{MODEL}expected value")),
+        ("null", format!("{MODEL}expected value")),
+        ("[]", format!("{MODEL}expected value")),
+        ("0.5", format!("{MODEL}expected value")),
+        (
+            r#"{"lambert": {"albedo": 1}, "phong": {"specular": 1, "exponent": 1}}"#,
+            "`lambert` must be the only key of its object: expected value".into(),
+        ),
+        (
+            r#""lambert""#,
+            "lambert: expected an object with the keys `albedo`: invalid type: unit variant, \
+             expected struct variant"
+                .into(),
+        ),
+        (
+            r#"{"sum": [{"weight": 1, "brdf": null}]}"#,
+            format!("sum[0].brdf: {MODEL}expected value"),
+        ),
+        (
+            r#"{"sum": [{"weight": 1, "brdf": {"lambert": {"albedo": 1}, "sum": []}}]}"#,
+            "sum[0].brdf: `lambert` must be the only key of its object: expected value".into(),
+        ),
+        (
+            r#"{"sum": [null]}"#,
+            "sum[0]: invalid type: null, expected an object with the keys `weight` `brdf`".into(),
+        ),
+        (
+            r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": 1}}, "fresnel": {}}}"#,
+            "cook_torrance.fresnel: expected a Fresnel term, such as {\"schlick\": {\"f0\": \
+             0.04}}: expected value"
+                .into(),
+        ),
+        (
+            r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": 1}},
+                "fresnel": {"constant": 1}, "shadowing": 3}}"#,
+            "cook_torrance.shadowing: expected one of `v_cavity` `smith` `smith_separable`: \
+             expected value"
+                .into(),
+        ),
+    ] {
+        let error = model_error(text);
+        let (found, position) = error.split_once(" at line ").unwrap_or((&error, ""));
+        assert_eq!(found, message);
+        assert!(position.contains(" column ") || text.starts_with('"'), "{error}");
     }
 }
 
