@@ -16,7 +16,11 @@ Usage: evaluate [--f32 | --f64] [FILE]
 
   FILE    questions, one a line; standard input if absent or -
   --f64   compute in double precision (default)
-  --f32   compute in single precision";
+  --f32   compute in single precision
+
+A line has at most 1 MiB; blank lines are no questions. A line without an answer is answered by an
+error with its number, and the run goes on. Exit status: 0 if every question has an answer, 1 if one
+has not, 2 if questions cannot be read or answers not be written.";
 
 /// The standard streams, or what stands for them.
 pub struct Streams<R, W, E> {

@@ -12,10 +12,11 @@
 //! | `{"brdf": B, "wo": […]}` | `{"albedo": [r,g,b]}` |
 //! | `{"fresnel": F, "cos": c}` | `{"reflectance": [r,g,b]}` |
 //! | `{"distribution": D, "h": [x,y,z]}` | `{"density": d}` |
-//! | anything wrong | `{"error": "what, where, what is allowed"}` |
+//! | anything wrong | `{"error": "what, where, what is allowed", "line": n}` |
 //!
 //! B, F and D are the descriptions of the module `brdf::description`. Directions are unit vectors
-//! in the shading frame; blank lines are no questions. The exit status is 0 if every question has
+//! in the shading frame. A line has at most 1 MiB; blank lines are no questions, but count in the
+//! number of the line. The exit status is 0 if every question has
 //! an answer, 1 if one has not, 2 if questions cannot be read or answers not be written.
 
 mod command;

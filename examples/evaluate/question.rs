@@ -13,33 +13,30 @@ pub enum Precision {
     Double,
 }
 
-/// Appends the answer to a question, without the end of the line. False if it is an error.
-pub fn answer(line: &[u8], precision: Precision, to: &mut Vec<u8>) -> bool {
+/// Appends the answer to a question, without the end of the line; or says why there is none.
+pub fn answer(line: &[u8], precision: Precision, to: &mut Vec<u8>) -> Result<(), String> {
     match precision {
         Precision::Single => answer_in::<f32>(line, to),
         Precision::Double => answer_in::<f64>(line, to),
     }
 }
 
-/// Appends an answer that is an error.
-pub fn refuse(error: &str, to: &mut Vec<u8>) {
-    write(&serde_json::json!({ "error": error }), to);
+/// Appends an answer that is an error, with the number of the line in the input.
+pub fn refuse(error: &str, line: u64, to: &mut Vec<u8>) {
+    write(&Refusal { error, line }, to);
 }
 
-fn answer_in<T: Number>(line: &[u8], to: &mut Vec<u8>) -> bool {
-    let answer = Question::read(line).and_then(|question| question.answer::<T>());
-    match &answer {
-        Ok(answer) => write(answer, to),
-        Err(error) => refuse(error, to),
-    }
-    answer.is_ok()
+fn answer_in<T: Number>(line: &[u8], to: &mut Vec<u8>) -> Result<(), String> {
+    let answer = Question::read(line)?.answer::<T>()?;
+    write(&answer, to);
+    Ok(())
 }
 
 fn write(answer: &impl Serialize, to: &mut Vec<u8>) {
     serde_json::to_writer(to, answer).expect("numbers and texts can be written into memory");
 }
 
-trait Number: Real + Serialize {
+trait Number: Real + PartialOrd + Serialize {
     /// The largest number below 1.
     const BELOW_ONE: Self;
 }
@@ -62,9 +59,15 @@ enum Answer<T> {
     Density { density: T },
 }
 
+#[derive(Serialize)]
+struct Refusal<'a> {
+    error: &'a str,
+    line: u64,
+}
+
 /// The keys of a question, each still as text.
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with the keys of a question")]
 struct Keys<'a> {
     #[serde(borrow, default, deserialize_with = "given")]
     brdf: Option<&'a RawValue>,
@@ -102,7 +105,7 @@ const KINDS: &str = "a question has the keys brdf, wi, wo; or brdf, wo, u; or br
 
 impl Question {
     fn read(line: &[u8]) -> Result<Self, String> {
-        let keys: Keys = serde_json::from_slice(line).map_err(|error| error.to_string())?;
+        let keys: Keys = serde_json::from_slice(line).map_err(|error| message(&error, 0))?;
         match keys {
             Keys {
                 brdf: Some(brdf),
@@ -193,38 +196,56 @@ impl Question {
 /// The value of a key. An error counts its columns from the start of the line.
 fn read<V: DeserializeOwned>(line: &[u8], key: &str, value: &RawValue) -> Result<V, String> {
     let text = value.get();
-    serde_json::from_str(text).map_err(|error| {
-        let message = error.to_string();
-        let place = format!(" at line {} column {}", error.line(), error.column());
-        match message.strip_suffix(&place) {
-            Some(message) => {
-                let start = text.as_ptr().addr() - line.as_ptr().addr();
-                format!("{key}: {message} at column {}", start + error.column())
-            }
-            None => format!("{key}: {message}"),
-        }
-    })
+    let start = text.as_ptr().addr() - line.as_ptr().addr();
+    serde_json::from_str(text).map_err(|error| format!("{key}: {}", message(&error, start)))
 }
 
-/// A unit vector, within the tolerance that the models have.
+/// An error in a text that begins at a column of the line: there is one line only.
+fn message(error: &serde_json::Error, start: usize) -> String {
+    let message = error.to_string();
+    let place = format!(" at line {} column {}", error.line(), error.column());
+    match message.strip_suffix(&place) {
+        Some(message) => format!("{message} at column {}", start + error.column()),
+        None => message,
+    }
+}
+
+/// Numbers in a list of a fixed length.
+fn list<const N: usize>(line: &[u8], key: &str, value: &RawValue) -> Result<[f64; N], String> {
+    let numbers: Vec<f64> = read(line, key, value)?;
+    let length = numbers.len();
+    numbers.try_into().map_err(|_| format!("{key} must be a list of {N} numbers, not of {length}"))
+}
+
+/// A unit vector, within the tolerance that the models have. It has to be one in both numbers, so
+/// that the same questions have an answer.
 fn direction(line: &[u8], key: &str, value: &RawValue) -> Result<[f64; 3], String> {
-    let [x, y, z]: [f64; 3] = read(line, key, value)?;
-    let squared = x * x + y * y + z * z;
-    if (0.99..=1.01).contains(&squared) {
-        Ok([x, y, z])
+    let w = list(line, key, value)?;
+    if is_unit::<f64>(&w) && is_unit::<f32>(&w) {
+        Ok(w)
     } else {
+        let [x, y, z] = w;
+        let squared = x * x + y * y + z * z;
         Err(format!(
-            "{key} must be a unit vector (squared length between 0.99 and 1.01), not of squared \
-             length {squared}"
+            "{key} must be a unit vector (squared length between 0.99 and 1.01, in single \
+             precision too), not of squared length {}",
+            shown(squared)
         ))
     }
 }
 
+/// As [`brdf::above_surface`] has it.
+fn is_unit<T: Number>(w: &[f64; 3]) -> bool {
+    (vector::<T>(w).length_squared() - T::lit(1.0)).abs() <= T::lit(0.01)
+}
+
 fn uniform(line: &[u8], value: &RawValue) -> Result<[f64; 2], String> {
-    let u: [f64; 2] = read(line, "u", value)?;
+    let u: [f64; 2] = list(line, "u", value)?;
     match u.iter().enumerate().find(|(_, u)| !(0.0..1.0).contains(*u)) {
         None => Ok(u),
-        Some((index, u)) => Err(format!("u[{index}] must be at least 0 and below 1, not {u}")),
+        Some((index, u)) => {
+            Err(format!("u[{index}] must be at least 0 and below 1, not {}", shown(*u)))
+        }
     }
 }
 
@@ -233,7 +254,17 @@ fn cosine(line: &[u8], value: &RawValue) -> Result<f64, String> {
     if (-1.0..=1.0).contains(&cos) {
         Ok(cos)
     } else {
-        Err(format!("cos must be between -1 and 1, not {cos}"))
+        Err(format!("cos must be between -1 and 1, not {}", shown(cos)))
+    }
+}
+
+/// A number as the errors of the crate show it: with an exponent where it would have many zeros.
+fn shown(number: f64) -> String {
+    let magnitude = number.abs();
+    if magnitude == 0.0 || (1e-4..1e6).contains(&magnitude) {
+        number.to_string()
+    } else {
+        format!("{number:e}")
     }
 }
 

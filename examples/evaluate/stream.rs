@@ -20,14 +20,17 @@ pub struct Tally {
     pub failed: u64,
 }
 
-/// Answers every line that is not blank. The progress counts bytes of the input.
+/// What editors of some systems write in front of a text in UTF-8.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Answers every line that is not blank; errors count the blank ones too. The progress counts bytes of the input.
 pub fn answer_all(
     input: &mut BufReader<impl Read>,
     output: &mut impl Write,
     precision: Precision,
     progress: &ProgressBar,
 ) -> io::Result<Tally> {
-    let mut tally = Tally::default();
+    let (mut tally, mut number) = (Tally::default(), 0);
     let (mut line, mut pending) = (Vec::new(), Vec::new());
     loop {
         // Before waiting for more questions, whoever asks gets the answers to those so far.
@@ -41,18 +44,29 @@ pub fn answer_all(
             return Ok(tally);
         }
         progress.inc(read as u64);
+        number += 1;
         let too_long = read > MAX_LINE && line.last() != Some(&b'\n');
         if too_long {
             progress.inc(skip_line(input)?);
-        } else if line.trim_ascii().is_empty() {
+        }
+        let text = match line.strip_prefix(BYTE_ORDER_MARK) {
+            Some(text) if number == 1 => text,
+            _ => &line,
+        };
+        let text = text.trim_ascii();
+        if text.is_empty() && !too_long {
             continue;
         }
         tally.questions += 1;
-        let answered = !too_long && answer(line.trim_ascii(), precision, &mut pending);
-        if too_long {
-            refuse(&format!("a line may have at most {MAX_LINE} bytes"), &mut pending);
+        let answered = if too_long {
+            Err(format!("a line may have at most {MAX_LINE} bytes"))
+        } else {
+            answer(text, precision, &mut pending)
+        };
+        if let Err(error) = answered {
+            tally.failed += 1;
+            refuse(&error, number, &mut pending);
         }
-        tally.failed += u64::from(!answered);
         pending.push(b'\n');
     }
 }

@@ -41,7 +41,8 @@ fn ask(question: &str) -> Value {
 
 fn error(question: &str) -> String {
     let answer = ask(question);
-    assert_eq!(answer.as_object().map(serde_json::Map::len), Some(1), "{answer}");
+    assert_eq!(answer.as_object().map(serde_json::Map::len), Some(2), "{answer}");
+    assert_eq!(answer["line"], 1, "{answer}");
     answer["error"].as_str().expect(question).into()
 }
 
@@ -202,13 +203,36 @@ fn errors_say_what_and_where_and_what_is_allowed() {
         ),
         (
             r#"{"brdf": {"lambert": {"albedo": 0.5}}, "wo": [0, 0]}"#,
-            Some("wo: invalid length 2, expected an array of length 3 at column 51"),
+            Some("wo must be a list of 3 numbers, not of 2"),
+        ),
+        (
+            r#"{"brdf": {"lambert": {"albedo": 0.5}}, "wo": [0, 0, 1, 0]}"#,
+            Some("wo must be a list of 3 numbers, not of 4"),
+        ),
+        (
+            r#"{"brdf": {"lambert": {"albedo": 0.5}}, "wo": [0, 0, 1], "u": [0]}"#,
+            Some("u must be a list of 2 numbers, not of 1"),
+        ),
+        (
+            r#"{"brdf": {"lambert": {"albedo": 0.5}}, "wo": [0, 0, 1], "u": [0, -1e-300]}"#,
+            Some("u[1] must be at least 0 and below 1, not -1e-300"),
+        ),
+        (
+            "null",
+            Some("invalid type: null, expected an object with the keys of a question at column 4"),
+        ),
+        (
+            r#"{"brdf": {}, "wo": [0, 0, 1]}"#,
+            Some(
+                "brdf: expected a model, such as {\"lambert\": {\"albedo\": 0.5}}: expected value at \
+                 column 11",
+            ),
         ),
         (
             r#"{"brdf": {"lambert": {"albedo": 0.5}}, "wo": [0, 0, 3]}"#,
             Some(
-                "wo must be a unit vector (squared length between 0.99 and 1.01), not of squared \
-                  length 9",
+                "wo must be a unit vector (squared length between 0.99 and 1.01, in single precision \
+                 too), not of squared length 9",
             ),
         ),
         (
@@ -223,7 +247,7 @@ fn errors_say_what_and_where_and_what_is_allowed() {
             r#"{"fresnel": {"metal": "Au"}, "cosine": 1}"#,
             Some(
                 "unknown field `cosine`, expected one of `brdf`, `fresnel`, `distribution`, \
-                  `wi`, `wo`, `u`, `cos`, `h` at line 1 column 37",
+                  `wi`, `wo`, `u`, `cos`, `h` at column 37",
             ),
         ),
         (
@@ -262,9 +286,47 @@ fn a_run_goes_on_after_an_error() {
     assert_eq!(right, [true, false, true, false, true, false, true]);
     assert_eq!(tally, Tally { questions: 7, failed: 3 });
     assert_eq!(answers[3]["error"], "a line may have at most 1048576 bytes");
+    let numbers: Vec<_> = answers.iter().filter_map(|answer| answer["line"].as_u64()).collect();
+    assert_eq!(numbers, [2, 5, 8], "lines are counted with the blank ones");
     let (answers, tally) = ask_all(b"\xff\xfe\n", Precision::Single);
     assert!(answers[0]["error"].is_string());
     assert_eq!(tally, Tally { questions: 1, failed: 1 });
+}
+
+/// A mark in front of the text is no part of it; anywhere else it is.
+#[test]
+fn a_byte_order_mark_is_skipped() {
+    let fresnel = r#"{"fresnel": {"constant": 0.5}, "cos": 1}"#;
+    let text = format!("\u{feff}{fresnel}\n\u{feff}{fresnel}\n{fresnel}");
+    let (answers, tally) = ask_all(text.as_bytes(), Precision::Double);
+    assert_eq!(tally, Tally { questions: 3, failed: 1 });
+    assert!(answers[1]["error"].is_string() && answers[1]["line"] == 2, "{answers:?}");
+}
+
+/// Single and double precision agree on what is a unit vector, to the last bit of its length.
+#[test]
+fn both_numbers_take_the_same_directions() {
+    let (mut taken, mut refused) = (0, 0);
+    for (length, steps) in [(1.01_f64, -60..60), (0.99, -60..60)] {
+        for step in steps {
+            let z = (length + f64::from(step) * 4e-9).sqrt();
+            let question = format!(
+                r#"{{"brdf": {{"lambert": {{"albedo": 0.5}}}}, "wi": [0,0,{z}], "wo": [0,0,1]}}"#
+            );
+            let of = |precision| ask_all(question.as_bytes(), precision).0.remove(0);
+            let (single, double) = (of(Precision::Single), of(Precision::Double));
+            assert_eq!(single.get("error"), double.get("error"), "{question}");
+            if single.get("error").is_none() {
+                taken += 1;
+                for answer in [single, double] {
+                    assert!(numbers(&answer)[1] > 0.0, "{question}: {answer}");
+                }
+            } else {
+                refused += 1;
+            }
+        }
+    }
+    assert!(taken > 50 && refused > 50, "{taken} {refused}");
 }
 
 /// Runs the command and gives its exit status, its answers and its complaints.
@@ -418,7 +480,7 @@ fn run<S: Strategy<Value = Vec<u8>>>(
 #[test]
 fn nonsense_has_no_answer() {
     let is_error = |answer: &Value| {
-        answer["error"].is_string() && answer.as_object().is_some_and(|keys| keys.len() == 1)
+        answer["error"].is_string() && answer.as_object().is_some_and(|keys| keys.len() == 2)
     };
     // Each in both numbers; some are blank.
     assert!(run(10_000, nonsense(), is_error) > 15_000);
