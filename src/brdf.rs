@@ -2,6 +2,7 @@
 
 use alloc::boxed::Box;
 
+use crate::batch::{self, BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::quadrature::mean_over_square;
 use crate::real::{Color, Real};
 
@@ -47,6 +48,46 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
         mean_over_square(|u| weight(self, wo, u))
     }
+
+    /// [`eval`](Self::eval) for many pairs of directions, bit for bit, at the speed of SIMD code: see
+    /// [`batch`].
+    ///
+    /// # Errors
+    /// If slices differ in length, or `values` in the number of channels.
+    fn eval_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        values: ColorBuffer<'_, T, Self::Color>,
+    ) -> Result<(), BatchError> {
+        batch::model::eval(self, wi, wo, values)
+    }
+
+    /// [`pdf`](Self::pdf) for many pairs of directions, bit for bit.
+    ///
+    /// # Errors
+    /// If slices differ in length.
+    fn pdf_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        pdf: &mut [T],
+    ) -> Result<(), BatchError> {
+        batch::model::pdf(self, wi, wo, pdf)
+    }
+
+    /// [`sample`](Self::sample) for many viewers, bit for bit.
+    ///
+    /// # Errors
+    /// If slices differ in length, or the weights in the number of channels.
+    fn sample_batch(
+        &self,
+        wo: Directions<'_, T>,
+        u: Uniforms<'_, T>,
+        samples: SampleBuffer<'_, T, Self::Color>,
+    ) -> Result<(), BatchError> {
+        batch::model::sample(self, wo, u, samples)
+    }
 }
 
 /// The weight of one sample. A call, so that the loops of the default albedo do not multiply the
@@ -86,21 +127,45 @@ macro_rules! forward {
     ($pointer:ty) => {
         impl<T: Real, M: Brdf<T> + ?Sized> Brdf<T> for $pointer {
             type Color = M::Color;
-            #[inline]
+            #[inline(always)]
             fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> M::Color {
                 (**self).eval(wi, wo)
             }
-            #[inline]
+            #[inline(always)]
             fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
                 (**self).pdf(wi, wo)
             }
-            #[inline]
+            #[inline(always)]
             fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, M::Color> {
                 (**self).sample(wo, u)
             }
-            #[inline]
+            #[inline(always)]
             fn albedo(&self, wo: T::Vec3) -> M::Color {
                 (**self).albedo(wo)
+            }
+            fn eval_batch(
+                &self,
+                wi: Directions<'_, T>,
+                wo: Directions<'_, T>,
+                values: ColorBuffer<'_, T, M::Color>,
+            ) -> Result<(), BatchError> {
+                (**self).eval_batch(wi, wo, values)
+            }
+            fn pdf_batch(
+                &self,
+                wi: Directions<'_, T>,
+                wo: Directions<'_, T>,
+                pdf: &mut [T],
+            ) -> Result<(), BatchError> {
+                (**self).pdf_batch(wi, wo, pdf)
+            }
+            fn sample_batch(
+                &self,
+                wo: Directions<'_, T>,
+                u: Uniforms<'_, T>,
+                samples: SampleBuffer<'_, T, M::Color>,
+            ) -> Result<(), BatchError> {
+                (**self).sample_batch(wo, u, samples)
             }
         }
     };

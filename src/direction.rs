@@ -82,7 +82,7 @@ pub fn above_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
 ///
 /// assert_eq!(reflect(Vec3::new(0.6, 0.0, 0.8), Vec3::Z), Vec3::new(-0.6, 0.0, 0.8));
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn reflect<T: Real, V: Vector<T>>(w: V, normal: V) -> V {
     normal * (Vector::dot(w, normal) * T::lit(2.0)) - w
@@ -115,7 +115,7 @@ pub struct Refraction<V, M> {
 /// let grazing = DVec3::new(0.9, 0.0, 0.19_f64.sqrt());
 /// assert!(refract(grazing, DVec3::Z, 1.5, 1.0).total_internal_reflection);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn refract<T: Real, V: Vector<T>>(
     w: V,
@@ -146,7 +146,7 @@ pub fn refract<T: Real, V: Vector<T>>(
 /// ```
 /// assert!((brdf::critical_angle(1.5, 1.0) - 0.7297276562_f64).abs() < 1e-10);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn critical_angle<T: Real>(n1: T, n2: T) -> T {
     (n2 / n1).asin()
@@ -158,7 +158,7 @@ pub fn critical_angle<T: Real>(n1: T, n2: T) -> T {
 /// ```
 /// assert!((brdf::brewster_angle(1.0, 1.5) - 0.9827937232_f64).abs() < 1e-10);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn brewster_angle<T: Real>(n1: T, n2: T) -> T {
     n2.atan2(n1)
@@ -172,7 +172,7 @@ pub fn brewster_angle<T: Real>(n1: T, n2: T) -> T {
 /// let (theta, phi) = brdf::to_spherical(w);
 /// assert!((theta - 0.5).abs() < 1e-15 && (phi - 0.25).abs() < 1e-15);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn from_spherical<T: Real>(theta: T, phi: T) -> T::Vec3 {
     let (sin_theta, cos_theta) = theta.sin_cos();
@@ -182,7 +182,7 @@ pub fn from_spherical<T: Real>(theta: T, phi: T) -> T::Vec3 {
 
 /// Polar angle in [0, π] and azimuth in [−π, π] of a unit direction, in radians; exact also close
 /// to the normal. Azimuth 0 at the normal itself, −π where y is −0 and x negative.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn to_spherical<T: Real, V: Vector<T>>(w: V) -> (T, T) {
     let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();

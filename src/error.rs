@@ -29,7 +29,7 @@ pub struct ParameterError {
 impl ParameterError {
     /// Checks one parameter: `outside` asks it for a value outside the range, as
     /// [`Real::outside`](crate::Real::outside) does.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn check(
         parameter: &'static str,
         (lower, upper): (f64, f64),

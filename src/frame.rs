@@ -91,7 +91,7 @@ impl<V> Frame<V> {
     }
 
     /// A world direction in the local frame.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn to_local<T: Real>(&self, world: V) -> V
     where
@@ -105,7 +105,7 @@ impl<V> Frame<V> {
     }
 
     /// A local direction in the world.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn to_world<T: Real>(&self, local: V) -> V
     where

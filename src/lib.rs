@@ -8,6 +8,7 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("brdf needs the feature `std` or the feature `libm`");
 
+pub mod batch;
 mod brdf;
 pub mod colorimetry;
 #[cfg(feature = "serde")]

@@ -41,7 +41,7 @@ const NODES: [(f64, f64); 24] = [
 /// let quarter_circle = integrate(0.0, 1.0, |x: f64| x.acos());
 /// assert!((quarter_circle - 1.0).abs() < 1e-5);
 /// ```
-#[inline]
+#[inline(always)]
 pub fn integrate<T, A>(lower: T, upper: T, formula: impl Fn(T) -> A) -> A
 where
     T: Real,
@@ -78,7 +78,7 @@ const ROW: u32 = 113;
 /// let quarter_disk = mean_over_square(|[x, y]: [f64; 2]| f64::from(u8::from(x * x + y * y < 1.0)));
 /// assert!((quarter_disk - std::f64::consts::FRAC_PI_4).abs() < 2e-3);
 /// ```
-#[inline]
+#[inline(always)]
 pub fn mean_over_square<T, A>(formula: impl Fn([T; 2]) -> A) -> A
 where
     T: Real,

@@ -1,6 +1,9 @@
 use alloc::vec::Vec;
 use core::fmt;
 
+use crate::batch::block::{BLOCK, Components, Plane, Values};
+use crate::batch::run::{self, Samples};
+use crate::batch::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Mask, Real, Vector};
@@ -103,12 +106,12 @@ where
 {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         self.total(|model| model.eval(wi, wo))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let sum = self
             .terms
@@ -118,36 +121,184 @@ where
     }
 
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        let (u, zero, one) = (uniform(u), T::lit(0.0), T::lit(1.0));
-        let mut start = zero;
-        let mut wi = <T::Vec3 as Vector<T>>::new(zero, zero, one);
-        let mut drawn = zero;
+        let (u, mut start, mut kept) = (uniform(u), T::lit(0.0), Kept::new());
         for term in &self.terms {
-            // Every term draws, and the last one that begins at or before u₀ is kept. Rounding may
-            // stretch u₀ to 1, and for the terms not kept it lies anywhere: ½ serves as well.
-            let possible = term.probability.gt(zero);
-            let stretched = (u[0] - start) / T::select(possible, term.probability, one);
-            let usable = stretched.ge(zero).and(stretched.lt(one));
-            let u0 = T::select(usable, stretched, T::lit(0.5));
-            let sample = term.model.sample(wo, [u0, u[1]]);
-            let kept = possible.and(u[0].ge(start));
-            wi = <T::Vec3 as Vector<T>>::select(kept, sample.wi, wi);
-            drawn = T::select(kept, sample.pdf, drawn);
+            let sample = term.model.sample(wo, [term.stretched(start, u[0]), u[1]]);
+            kept = term.kept(start, u[0], sample.wi, sample.pdf, kept);
             start = start + term.probability;
         }
-        // The probability of a direction is that of all terms; what one of them could draw, the
-        // sum can.
-        let pdf = self.pdf(wi, wo);
-        let valid = drawn.gt(zero).and(pdf.gt(zero));
-        let limit = T::max_finite();
-        let scale = (wi.z() / T::select(valid, pdf, one)).min(limit);
-        let weight = self.eval(wi, wo).map(|value| (value * scale).min(limit));
-        Sample { wi, weight, pdf }.only_where(valid)
+        kept.sample(self.pdf(kept.wi, wo), self.eval(kept.wi, wo))
     }
 
     fn albedo(&self, wo: T::Vec3) -> C {
         self.total(|model| model.albedo(wo))
     }
+
+    fn eval_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        values: ColorBuffer<'_, T, C>,
+    ) -> Result<(), BatchError> {
+        run::eval(wi, wo, values, &|_, _, wi, wo, values| self.eval_block(wi, wo, values))
+    }
+
+    fn pdf_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        pdf: &mut [T],
+    ) -> Result<(), BatchError> {
+        run::pdf(wi, wo, pdf, &|_, _, wi, wo, pdf| self.pdf_block(wi, wo, pdf))
+    }
+
+    fn sample_batch(
+        &self,
+        wo: Directions<'_, T>,
+        u: Uniforms<'_, T>,
+        samples: SampleBuffer<'_, T, C>,
+    ) -> Result<(), BatchError> {
+        run::sample(wo, u, samples, &|_, _, wo, u, samples| self.sample_block(wo, u, samples))
+    }
+}
+
+/// Term by term a block at a time, each with its own dispatch.
+impl<M, C, T> WeightedSum<M, C, T>
+where
+    T: Real,
+    C: Color<T>,
+    M: Brdf<T, Color = C>,
+{
+    #[inline(always)]
+    fn eval_block(
+        &self,
+        wi: Components<'_, T>,
+        wo: Components<'_, T>,
+        values: &mut Values<T, C>,
+    ) -> Result<(), BatchError> {
+        let zero = C::splat(T::lit(0.0));
+        let (mut sum, mut colors) = ([zero; BLOCK], [zero; BLOCK]);
+        for term in &self.terms {
+            term.model.eval_batch(wi.into(), wo.into(), (&mut colors).into())?;
+            for (sum, color) in sum.iter_mut().zip(&colors) {
+                *sum = *sum + term.weight * *color;
+            }
+        }
+        for (index, sum) in sum.into_iter().enumerate() {
+            values.set(index, limited(sum));
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn pdf_block(
+        &self,
+        wi: Components<'_, T>,
+        wo: Components<'_, T>,
+        pdf: &mut Plane<T>,
+    ) -> Result<(), BatchError> {
+        let mut each = [T::lit(0.0); BLOCK];
+        let mut sum = each;
+        for term in &self.terms {
+            term.model.pdf_batch(wi.into(), wo.into(), &mut each)?;
+            for (sum, pdf) in sum.iter_mut().zip(each) {
+                *sum = *sum + term.probability * pdf;
+            }
+        }
+        *pdf = sum.map(|sum| sum.min(T::max_finite()));
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn sample_block(
+        &self,
+        wo: Components<'_, T>,
+        [u0, u1]: [&Plane<T>; 2],
+        samples: &mut Samples<T, C>,
+    ) -> Result<(), BatchError> {
+        let (mut start, mut kept) = (T::lit(0.0), [Kept::new(); BLOCK]);
+        let mut stretched = [T::lit(0.0); BLOCK];
+        let mut colors = [C::splat(T::lit(0.0)); BLOCK];
+        for term in &self.terms {
+            for (stretched, u) in stretched.iter_mut().zip(u0) {
+                *stretched = term.stretched(start, uniform([*u, *u])[0]);
+            }
+            let Samples { wi, pdf, .. } = samples;
+            let [x, y, z] = &mut wi.0;
+            term.model.sample_batch(
+                wo.into(),
+                [&stretched, u1].into(),
+                SampleBuffer { wi: [x, y, z].into(), weight: (&mut colors).into(), pdf },
+            )?;
+            for (index, kept) in kept.iter_mut().enumerate() {
+                let u = uniform([u0[index], u0[index]])[0];
+                *kept = term.kept(start, u, wi.components().at(index), pdf[index], *kept);
+            }
+            start = start + term.probability;
+        }
+        for (index, kept) in kept.iter().enumerate() {
+            samples.wi.set(index, kept.wi);
+        }
+        let mut pdf = [T::lit(0.0); BLOCK];
+        self.pdf_block(samples.wi.components(), wo, &mut pdf)?;
+        self.eval_block(samples.wi.components(), wo, &mut samples.weight)?;
+        for (index, (kept, pdf)) in kept.iter().zip(pdf).enumerate() {
+            let sample = kept.sample(pdf, samples.weight.at(index));
+            samples.weight.set(index, sample.weight);
+            samples.pdf[index] = sample.pdf;
+        }
+        Ok(())
+    }
+}
+
+impl<M, C, T: Real> Term<M, C, T> {
+    /// The first uniform number of this term's own sample, whose part begins at `start`. Rounding
+    /// may stretch it to 1, and for the terms not kept it lies anywhere: ½ serves as well.
+    #[inline(always)]
+    fn stretched(&self, start: T, u: T) -> T {
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let possible = self.probability.gt(zero);
+        let stretched = (u - start) / T::select(possible, self.probability, one);
+        let usable = stretched.ge(zero).and(stretched.lt(one));
+        T::select(usable, stretched, T::lit(0.5))
+    }
+
+    /// Every term draws, and the last one that begins at or before u₀ is kept.
+    #[inline(always)]
+    fn kept(&self, start: T, u: T, wi: T::Vec3, pdf: T, before: Kept<T>) -> Kept<T> {
+        let kept = self.probability.gt(T::lit(0.0)).and(u.ge(start));
+        Kept { wi: Vector::select(kept, wi, before.wi), drawn: T::select(kept, pdf, before.drawn) }
+    }
+}
+
+/// The draw that a sum keeps, with its density within the term that drew it.
+#[derive(Clone, Copy)]
+struct Kept<T: Real> {
+    wi: T::Vec3,
+    drawn: T,
+}
+
+impl<T: Real> Kept<T> {
+    #[inline(always)]
+    fn new() -> Self {
+        let zero = T::lit(0.0);
+        Self { wi: Vector::new(zero, zero, T::lit(1.0)), drawn: zero }
+    }
+
+    /// The sample, with density and value of the whole sum. The probability of a direction is that
+    /// of all terms; what one of them could draw, the sum can.
+    #[inline(always)]
+    fn sample<C: Color<T>>(self, pdf: T, value: C) -> Sample<T, C> {
+        let valid = self.drawn.gt(T::lit(0.0)).and(pdf.gt(T::lit(0.0)));
+        let scale = (self.wi.z() / T::select(valid, pdf, T::lit(1.0))).min(T::max_finite());
+        let weight = value.map(|value| (value * scale).min(T::max_finite()));
+        Sample { wi: self.wi, weight, pdf }.only_where(valid)
+    }
+}
+
+#[inline(always)]
+fn limited<T: Real, C: Color<T>>(color: C) -> C {
+    color.map(|value| value.min(T::max_finite()))
 }
 
 impl<M, C, T> WeightedSum<M, C, T> {
@@ -162,6 +313,6 @@ impl<M, C, T> WeightedSum<M, C, T> {
             .terms
             .iter()
             .fold(C::splat(T::lit(0.0)), |sum, term| sum + term.weight * color(&term.model));
-        sum.map(|value| value.min(T::max_finite()))
+        limited(sum)
     }
 }

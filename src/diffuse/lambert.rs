@@ -51,26 +51,26 @@ impl<C> Lambert<C> {
 impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         C::choose(above, self.albedo * T::lit(FRAC_1_PI), C::splat(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let wi = cosine_hemisphere(u);
         Sample { wi, weight: self.albedo, pdf: wi.z() * T::lit(FRAC_1_PI) }
             .only_where(above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
         C::choose(above_surface::<T, _>(wo), self.albedo, C::splat(T::lit(0.0)))
     }

@@ -114,20 +114,20 @@ impl<T: Real, C: Color<T>> OrenNayar<C, T> {
 impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let value = T::lit(FRAC_1_PI) * self.relative(wi, wo);
         C::choose(above, self.albedo * value, C::splat(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let wi = cosine_hemisphere(u);
         let weight = self.albedo * self.relative(wi, wo);
@@ -135,7 +135,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
             .only_where(above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
         let (one, third) = (T::lit(1.0), T::lit(1.0 / 3.0));
         let w = Vector::normalize_or_normal(wo);

@@ -76,7 +76,7 @@ impl<C> Conductor<C> {
 impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         let cos = incident_cosine(cos_theta);
         self.eta.zip(self.k, |eta, k| Refraction::new(eta, k, cos).unpolarized())
@@ -98,7 +98,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {
 /// assert!((gold.s - 0.9866897397).abs() < 1e-10);
 /// assert!((gold.p - 0.9253824968).abs() < 1e-10);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn conductor_polarized<T: Real>(eta: T, k: T, cos_theta: T) -> Polarized<T> {
     Refraction::new(eta, k, incident_cosine(cos_theta)).polarized()

@@ -45,12 +45,12 @@ impl<C> Constant<C> {
 impl<T: Real, C: Color<T>> Fresnel<T> for Constant<C> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn reflectance(&self, _cos_theta: T) -> C {
         self.reflectance
     }
 
-    #[inline]
+    #[inline(always)]
     fn average(&self) -> C {
         self.reflectance
     }

@@ -69,7 +69,7 @@ impl<C> Dielectric<C> {
 impl<T: Real, C: Color<T>> Fresnel<T> for Dielectric<C> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         self.ior.map(|ior| Interface::new(ior, cos_theta).unpolarized())
     }
@@ -94,7 +94,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Dielectric<C> {
 /// assert!((glass.s - 0.0559419508).abs() < 1e-10);
 /// assert!((glass.p - 0.0265413548).abs() < 1e-10);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn dielectric_polarized<T: Real>(ior: T, cos_theta: T) -> Polarized<T> {
     Interface::new(ior, cos_theta).polarized()

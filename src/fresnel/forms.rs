@@ -29,7 +29,7 @@ use crate::real::Real;
 /// let glass = brdf::fresnel::forms::gc(1.5_f64, 0.5);
 /// assert!((glass - 0.0891867128).abs() < 1e-10);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn gc<T: Real>(ior: T, cos_theta: T) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
@@ -61,7 +61,7 @@ pub fn gc<T: Real>(ior: T, cos_theta: T) -> T {
 /// let gold = brdf::fresnel::forms::abu(0.14_f64, 3.697, 0.3);
 /// assert!((gold - 0.9559441142).abs() < 1e-10);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn abu<T: Real>(eta: T, k: T, cos_theta: T) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
@@ -89,7 +89,7 @@ pub fn abu<T: Real>(eta: T, k: T, cos_theta: T) -> T {
 /// let (a, b) = brdf::fresnel::forms::ab(0.5_f64, 0.0, 0.5);
 /// assert!(a < 1e-15 && (b * b - 0.5).abs() < 1e-15); // glass from inside, total reflection
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn ab<T: Real>(eta: T, k: T, cos_theta: T) -> (T, T) {
     let refraction = Refraction::new(eta, k, incident_cosine(cos_theta));

@@ -78,7 +78,7 @@ impl<C, F> Hall<C, F> {
 impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         let normal = self.reference.reflectance(one);
@@ -172,13 +172,13 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Cook<C, F> {
     type Color = C;
 
     /// The colour of the reflected light.
-    #[inline]
+    #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         self.reflectance.reflectance(cos_theta) * self.light
     }
 
     /// The colour of the reflected light, averaged.
-    #[inline]
+    #[inline(always)]
     fn average(&self) -> C {
         self.reflectance.average() * self.light
     }

@@ -16,7 +16,7 @@ const INVERTIBLE: (f64, f64) = (0.0, 0.9996);
 /// let gold = brdf::fresnel::normal_incidence(0.14_f64, 3.697);
 /// assert!((gold - 0.9625853747).abs() < 1e-10);
 /// ```
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn normal_incidence<T: Real>(eta: T, k: T) -> T {
     let one = T::lit(1.0);

@@ -20,7 +20,7 @@ pub struct Polarized<T> {
 
 impl<T: Real> Polarized<T> {
     /// Reflectance of unpolarised light, R = (R_s + R_p)/2.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn unpolarized(self) -> T {
         (self.s + self.p) * T::lit(0.5)

@@ -61,7 +61,7 @@ impl<C> Schlick<C> {
 impl<T: Real, C: Color<T>> Fresnel<T> for Schlick<C> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         let one = T::lit(1.0);
         let versine = one - incident_cosine(cos_theta);
@@ -69,7 +69,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Schlick<C> {
         self.f0.map(|f0| f0 + (one - f0) * weight)
     }
 
-    #[inline]
+    #[inline(always)]
     fn average(&self) -> C {
         let one = T::lit(1.0);
         self.f0.map(|f0| f0 + (one - f0) * T::lit(1.0 / 21.0))

@@ -49,11 +49,11 @@ macro_rules! forward {
     ($pointer:ty) => {
         impl<T: Real, F: Fresnel<T> + ?Sized> Fresnel<T> for $pointer {
             type Color = F::Color;
-            #[inline]
+            #[inline(always)]
             fn reflectance(&self, cos_theta: T) -> F::Color {
                 (**self).reflectance(cos_theta)
             }
-            #[inline]
+            #[inline(always)]
             fn average(&self) -> F::Color {
                 (**self).average()
             }
@@ -64,7 +64,7 @@ forward!(Box<F>);
 forward!(&F);
 
 /// 2 ∫₀¹ F(μ) μ dμ by quadrature over √μ.
-#[inline]
+#[inline(always)]
 pub(super) fn average_over_cosine<T: Real, C: Color<T>>(reflectance: impl Fn(T) -> C) -> C {
     integrate(T::lit(0.0), T::lit(1.0), |root| {
         let cos = root * root;

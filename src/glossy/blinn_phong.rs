@@ -96,19 +96,19 @@ impl<C, T> BlinnPhong<C, T> {
 impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         let pair = Pair::<T>::new(wi, wo);
         let value = self.constant * half_vector_power(&pair, self.exponent);
         C::choose(pair.above, self.specular * value, C::splat(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         self.pdf_of(&Pair::new(wi, wo))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
         let [u, turn] = uniform(u);

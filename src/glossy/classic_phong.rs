@@ -66,7 +66,7 @@ impl<C, T> ClassicPhong<C, T> {
 impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let cos = T::select(above, wi.z(), T::lit(1.0));
@@ -75,7 +75,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
         C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let constant = (self.exponent + T::lit(1.0)) * T::lit(0.5 * FRAC_1_PI);
@@ -83,7 +83,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
         T::select(above, value, T::lit(0.0))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let [u, turn] = uniform(u);
         let wi = around_mirror::<T>(wo, sample_power(self.exponent, u), turn);
@@ -92,7 +92,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
         Sample { wi, weight, pdf }.only_where(pdf.gt(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
         let one = T::lit(1.0);
         let w = unit_viewer::<T>(wo);

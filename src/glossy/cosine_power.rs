@@ -34,7 +34,7 @@ pub(super) fn power_of_cosine<T: Real>(cos: T, sin_squared: T, exponent: T) -> T
 
 /// The fraction of the weights cosⁿ, over a quarter turn, that lies below the angle
 /// asin(`sin`): ∫₀^angle cosⁿ / ∫₀^π/2 cosⁿ, and the second of these integrals.
-#[inline]
+#[inline(always)]
 pub(super) fn quarter_turn<T: Real>(exponent: T, sin: T, cos: T) -> (T, T) {
     // Farther out the power is below the last digit: (cos x)ⁿ < e^(−n x²/2).
     let reach = T::lit(9.0) / (exponent + T::lit(1.0)).sqrt();

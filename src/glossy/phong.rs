@@ -73,7 +73,7 @@ impl<C, T> Phong<C, T> {
 impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let constant = (self.exponent + T::lit(2.0)) * T::lit(0.5 * FRAC_1_PI);
@@ -81,7 +81,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
         C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let constant = (self.exponent + T::lit(1.0)) * T::lit(0.5 * FRAC_1_PI);
@@ -89,7 +89,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
         T::select(above, value, T::lit(0.0))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let [u, turn] = uniform(u);
         let wi = around_mirror::<T>(wo, sample_power(self.exponent, u), turn);
@@ -98,7 +98,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
         Sample { wi, weight: self.specular * (ratio * wi.z()), pdf }.only_where(pdf.gt(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
         let one = T::lit(1.0);
         let w = unit_viewer::<T>(wo);

@@ -89,7 +89,7 @@ impl<C, T> SchlickPower<C, T> {
 }
 
 /// y = (h − 1)/(h + 1) and (artanh y − y)/y³, where artanh y = ½ ln h.
-#[inline]
+#[inline(always)]
 fn artanh_excess<T: Real>(h: T) -> (T, T) {
     let one = T::lit(1.0);
     let y = (h - one) / (h + one);
@@ -168,14 +168,14 @@ impl<T: Real, C> SchlickPower<C, T> {
 impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
     type Color = C;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         let value = self.constant * self.shape(mirror_versine::<T>(wi, wo));
         C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let versine = mirror_versine::<T>(wi, wo);
         let inside =
@@ -185,7 +185,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
         T::select(inside, density, T::lit(0.0))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let [u, turn] = uniform(u);
         let wi = around_mirror::<T>(wo, self.sampled_versine(u), turn);

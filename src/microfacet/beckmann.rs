@@ -71,7 +71,7 @@ impl<T: Real> Beckmann<T> {
 }
 
 impl<T: Real> Distribution<T> for Beckmann<T> {
-    #[inline]
+    #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         // Below 10⁻⁸ the density of any allowed roughness is less than exp(−10⁸): zero.
@@ -85,7 +85,7 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
         T::select(above, density.min(T::max_finite()), zero)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let (x, y) = slopes(u);
         self.roughness.unstretch(x, y, T::lit(1.0))
@@ -93,7 +93,7 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
 }
 
 impl<T: Real> Smith<T> for Beckmann<T> {
-    #[inline]
+    #[inline(always)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
         let cos = w.z().max(T::lit(0.0));
         // The least square of an f32 that is still precise. Where it takes over, Λ is zero.
@@ -101,7 +101,7 @@ impl<T: Real> Smith<T> for Beckmann<T> {
         (T::lit(0.5) * spread * ierfc(cos / spread)).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let (x, y) = visible_slopes::<T>(self.roughness.stretch(wo), u);
         self.roughness.unstretch(-x, -y, T::lit(1.0))

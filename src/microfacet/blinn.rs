@@ -81,7 +81,7 @@ impl<T: Real> Blinn<T> {
 }
 
 impl<T: Real> Distribution<T> for Blinn<T> {
-    #[inline]
+    #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         let above = h.z().gt(zero);
@@ -93,7 +93,7 @@ impl<T: Real> Distribution<T> for Blinn<T> {
         T::select(above, peak * (self.exponent * ln_cos).exp(), zero)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let [u, turn] = uniform(u);
         // cosθ = (1 − u₀)^(1/(n + 2)) through its logarithm, which gives sinθ all its digits.

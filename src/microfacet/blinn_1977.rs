@@ -75,7 +75,7 @@ impl<T: Real> Blinn1977<T> {
     }
 
     /// Phong's power of the cosine.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn d1(&self, alpha: T) -> T {
         let (sin, cos) = alpha.sin_cos();
@@ -86,7 +86,7 @@ impl<T: Real> Blinn1977<T> {
     }
 
     /// Torrance and Sparrow's normal distribution of the angle.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn d2(&self, alpha: T) -> T {
         let above = alpha.cos().gt(T::lit(0.0));
@@ -95,7 +95,7 @@ impl<T: Real> Blinn1977<T> {
     }
 
     /// Trowbridge and Reitz's ellipsoids.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn d3(&self, alpha: T) -> T {
         let (sin, cos) = alpha.sin_cos();

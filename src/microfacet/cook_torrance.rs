@@ -1,10 +1,15 @@
 use super::distribution::Distribution;
+use super::facets::{Facets, Mirrored, MirroredBlock};
 use super::shadowing::Shadowing;
 use super::v_cavity::VCavity;
+use crate::batch::block::{BLOCK, Values, within};
+use crate::batch::model::calls;
+use crate::batch::{
+    BatchError, ColorBuffer, Directions, InstructionSet, SampleBuffer, Uniforms, run,
+};
 use crate::brdf::{Brdf, Sample};
-use crate::direction::{Pair, above_surface, reflect};
 use crate::fresnel::Fresnel;
-use crate::real::{Color, Real, Vector};
+use crate::real::{Color, Real, in_place};
 
 /// The microfacet model: a surface of small mirrors.
 ///
@@ -102,25 +107,9 @@ impl<D, F, S> CookTorrance<D, F, S> {
         &self.fresnel
     }
 
-    /// The reflectance at the facet that mirrors one direction of the pair into the other. The
-    /// cosine of a pair exceeds 1 by the rounding of the directions' lengths.
     #[inline(always)]
-    fn reflectance<T: Real>(&self, pair: &Pair<T>) -> F::Color
-    where
-        F: Fresnel<T>,
-    {
-        self.fresnel.reflectance(pair.cos_d.min(T::lit(1.0)))
-    }
-
-    /// The density of the samples, whether or not the light is above the surface.
-    #[inline(always)]
-    fn density<T: Real>(&self, pair: &Pair<T>) -> T
-    where
-        D: Distribution<T>,
-        S: Shadowing<T, D>,
-    {
-        let masking = self.shadowing.masking(&self.distribution, pair);
-        (self.distribution.density(pair.h) * masking).min(T::max_finite())
+    const fn facets(&self) -> Facets<'_, D, S> {
+        Facets { distribution: &self.distribution, shadowing: &self.shadowing }
     }
 }
 
@@ -135,32 +124,96 @@ where
 
     #[inline]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
-        let pair = Pair::new(wi, wo);
-        let visibility = self.shadowing.visibility(&self.distribution, &pair);
-        let limit = T::max_finite();
-        let value = (self.distribution.density(pair.h) * visibility).min(limit);
-        let value = self.reflectance(&pair) * T::select(pair.above, value, T::lit(0.0));
-        // A Fresnel term that contains the light exceeds 1.
-        value.map(|value| value.min(limit))
+        reflected(&self.fresnel, self.facets().mirrored(wi, wo))
     }
 
     #[inline]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let pair = Pair::new(wi, wo);
-        T::select(pair.above, self.density(&pair), T::lit(0.0))
+        self.facets().pdf(wi, wo)
     }
 
     #[inline]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
-        let above = above_surface::<T, _>(wo);
-        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-        let wo = <T::Vec3 as Vector<T>>::select(above, wo, normal);
-        let h = self.shadowing.sample_visible(&self.distribution, wo, u);
-        let wi = reflect(wo, h);
-        // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
-        let pair = Pair::new(wi, wo);
-        let unshadowed = self.shadowing.unshadowed(&self.distribution, &pair);
-        let weight = self.reflectance(&pair) * unshadowed;
-        Sample { wi, weight, pdf: self.density(&pair) }.only_where(above).only_where(pair.above)
+        let draw = self.facets().draw::<T>(wo, u);
+        Sample { wi: draw.wi, weight: reflected(&self.fresnel, draw.weight), pdf: draw.pdf }
     }
+
+    fn eval_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        values: ColorBuffer<'_, T, F::Color>,
+    ) -> Result<(), BatchError> {
+        if !T::VECTORIZES {
+            return calls::eval(self, wi, wo, values);
+        }
+        run::eval(wi, wo, values, &|set, _, wi, wo, values| {
+            let mut mirrored = MirroredBlock::new();
+            self.facets().mirrored_block(set, wi, wo, &mut mirrored);
+            reflect_block(&self.fresnel, set, &mirrored, values);
+            Ok(())
+        })
+    }
+
+    fn pdf_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        pdf: &mut [T],
+    ) -> Result<(), BatchError> {
+        if !T::VECTORIZES {
+            return calls::pdf(self, wi, wo, pdf);
+        }
+        self.facets().pdf_batch(wi, wo, pdf)
+    }
+
+    fn sample_batch(
+        &self,
+        wo: Directions<'_, T>,
+        u: Uniforms<'_, T>,
+        samples: SampleBuffer<'_, T, F::Color>,
+    ) -> Result<(), BatchError> {
+        if !T::VECTORIZES {
+            return calls::sample(self, wo, u, samples);
+        }
+        run::sample(wo, u, samples, &|set, _, wo, u, samples| {
+            let mut weight = MirroredBlock::new();
+            let drawn = (&mut samples.wi, &mut samples.pdf);
+            self.facets().draw_block(set, wo, u, drawn, &mut weight);
+            reflect_block(&self.fresnel, set, &weight, &mut samples.weight);
+            Ok(())
+        })
+    }
+}
+
+/// The reflectance times the rest. A Fresnel term that contains the light exceeds 1.
+#[inline(always)]
+fn reflected<T: Real, F: Fresnel<T>>(fresnel: &F, mirrored: Mirrored<T>) -> F::Color {
+    in_place::<T, _>(
+        #[inline(always)]
+        || {
+            let value = fresnel.reflectance(mirrored.cos) * mirrored.scale;
+            value.map(|value| value.min(T::max_finite()))
+        },
+    )
+}
+
+#[inline(never)]
+fn reflect_block<T: Real, F: Fresnel<T>>(
+    fresnel: &F,
+    set: InstructionSet,
+    mirrored: &MirroredBlock<T>,
+    values: &mut Values<T, F::Color>,
+) {
+    within::<T, _>(
+        set,
+        #[inline(always)]
+        || {
+            let mut block = Values::new();
+            for index in 0..BLOCK {
+                block.set(index, reflected(fresnel, mirrored.at(index)));
+            }
+            values.copy_from(&block);
+        },
+    );
 }

@@ -35,22 +35,22 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
 macro_rules! forward {
     ($pointer:ty) => {
         impl<T: Real, D: Distribution<T> + ?Sized> Distribution<T> for $pointer {
-            #[inline]
+            #[inline(always)]
             fn density(&self, h: T::Vec3) -> T {
                 (**self).density(h)
             }
-            #[inline]
+            #[inline(always)]
             fn sample(&self, u: [T; 2]) -> T::Vec3 {
                 (**self).sample(u)
             }
         }
 
         impl<T: Real, D: Smith<T> + ?Sized> Smith<T> for $pointer {
-            #[inline]
+            #[inline(always)]
             fn lambda_cos(&self, w: T::Vec3) -> T {
                 (**self).lambda_cos(w)
             }
-            #[inline]
+            #[inline(always)]
             fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(wo, u)
             }

@@ -66,7 +66,7 @@ impl<T: Real> Gaussian<T> {
 }
 
 impl<T: Real> Distribution<T> for Gaussian<T> {
-    #[inline]
+    #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
         let zero = T::lit(0.0);
         let above = h.z().gt(zero);
@@ -77,7 +77,7 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
         T::select(above, self.peak * (-exponent).exp(), zero)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let [u, turn] = uniform(u);
         let (sin, cos) = (self.roughness * self.tilts.angle(u)).sin_cos();

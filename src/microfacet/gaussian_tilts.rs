@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use crate::real::Real;
+use crate::real::{Real, iterate};
 
 /// Terms of the polynomial, and of the recursion it comes from: enough for `f64` at every
 /// roughness.
@@ -102,7 +102,7 @@ impl<T: Real> Tilts<T> {
     }
 
     /// The part tilted by less, or, if not `below`, by more than the angle with t = α²/m² = κs.
-    #[inline]
+    #[inline(always)]
     fn part(&self, t: T, below: T::Mask) -> T {
         let s = t / self.exponent;
         let falling = -self.narrow * t;
@@ -119,7 +119,7 @@ impl<T: Real> Tilts<T> {
     /// smaller of the two parts is followed, so that each end keeps its digits. Above the median
     /// Newton's method needs a straight line: the logarithm of the part for narrow distributions,
     /// the square root for wide ones, which end at π/2 in a parabola.
-    #[inline]
+    #[inline(always)]
     pub(super) fn angle(&self, u: T) -> T {
         let (zero, one, two, tiny) = (T::lit(0.0), T::lit(1.0), T::lit(2.0), T::lit(1e-37));
         let exponent = self.exponent;
@@ -134,32 +134,37 @@ impl<T: Real> Tilts<T> {
         let inside = -(-rate * last).exp_m1();
         let first = -(-part * inside).ln_1p();
         let second = -((one - inside) + inside * part).ln();
-        let mut t = T::select(lower_half, first, second) / rate;
+        let start = T::select(lower_half, first, second) / rate;
 
         // Short of the end, where the density is zero.
         let last = last * T::lit(1.0 - 1e-7);
-        for _ in 0..4 {
-            t = t.clamp(zero, last);
-            let s = t / exponent;
-            let to_end = (exponent - t) / exponent;
-            // sin(π√s), from the nearer end, and over π√s.
-            let root = s.sqrt();
-            let near_end = s.gt(T::lit(0.25));
-            let angle = T::lit(PI) * T::select(near_end, to_end / (one + root), root);
-            let sine = T::select(root.gt(tiny), angle.sin() / (T::lit(PI) * root).max(tiny), one);
-            let density = ((-t).exp() * sine * self.density).max(tiny);
-            // The density bounds the part beyond from both sides. At the end, where that is a
-            // difference of equal numbers, Newton's method would be lost without.
-            let most = T::select(lower_half, one, density * to_end);
-            let least = T::select(lower_half, tiny, most / (T::lit(3.0) + exponent - t));
-            let facets = self.part(t, lower_half).min(most).max(least).max(tiny);
-            let straight = T::select(
-                narrow,
-                facets * (facets / part).ln(),
-                two * (facets - (facets * part).sqrt()),
-            );
-            t = t + T::select(lower_half, part - facets, straight) * (exponent / density);
-        }
+        let t = iterate::<4, _>(
+            start,
+            #[inline(always)]
+            |t: T| {
+                let t = t.clamp(zero, last);
+                let s = t / exponent;
+                let to_end = (exponent - t) / exponent;
+                // sin(π√s), from the nearer end, and over π√s.
+                let root = s.sqrt();
+                let near_end = s.gt(T::lit(0.25));
+                let angle = T::lit(PI) * T::select(near_end, to_end / (one + root), root);
+                let sine =
+                    T::select(root.gt(tiny), angle.sin() / (T::lit(PI) * root).max(tiny), one);
+                let density = ((-t).exp() * sine * self.density).max(tiny);
+                // The density bounds the part beyond from both sides. At the end, where that is a
+                // difference of equal numbers, Newton's method would be lost without.
+                let most = T::select(lower_half, one, density * to_end);
+                let least = T::select(lower_half, tiny, most / (T::lit(3.0) + exponent - t));
+                let facets = self.part(t, lower_half).min(most).max(least).max(tiny);
+                let straight = T::select(
+                    narrow,
+                    facets * (facets / part).ln(),
+                    two * (facets - (facets * part).sqrt()),
+                );
+                t + T::select(lower_half, part - facets, straight) * (exponent / density)
+            },
+        );
         t.clamp(zero, last).sqrt()
     }
 }

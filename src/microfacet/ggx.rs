@@ -69,7 +69,7 @@ impl<T: Real> Ggx<T> {
 }
 
 impl<T: Real> Distribution<T> for Ggx<T> {
-    #[inline]
+    #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
         let zero = T::lit(0.0);
         let cos_squared = h.z().squared();
@@ -82,7 +82,7 @@ impl<T: Real> Distribution<T> for Ggx<T> {
         T::select(h.z().gt(zero), density, zero)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let [u, turn] = uniform(u);
         // tan²θ = u₀/(1 − u₀) in the space of roughness 1: slope sinθ over cosθ.
@@ -93,7 +93,7 @@ impl<T: Real> Distribution<T> for Ggx<T> {
 }
 
 impl<T: Real> Smith<T> for Ggx<T> {
-    #[inline]
+    #[inline(always)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
         let cos = w.z().max(T::lit(0.0));
         let spread_squared = self.roughness.spread_squared(w);
@@ -103,7 +103,7 @@ impl<T: Real> Smith<T> for Ggx<T> {
         (T::lit(0.5) * spread_squared / sum).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let ([turn, u], one) = (uniform(u), T::lit(1.0));
         let s = self.roughness.stretch(wo);

@@ -9,6 +9,7 @@ use super::cook_torrance::CookTorrance;
 use super::distribution::Distribution;
 use super::gaussian::Gaussian;
 use super::ggx::Ggx;
+use crate::batch::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::error::ParameterError;
 use crate::fresnel::Fresnel;
@@ -84,20 +85,51 @@ impl<F, T> CookTorrance1982Printed<F, T> {
 impl<T: Real, F: Fresnel<T>> Brdf<T> for CookTorrance1982Printed<F, T> {
     type Color = F::Color;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
         scaled(self.model.eval(wi, wo), T::lit(4.0))
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         self.model.pdf(wi, wo)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
         let sample = self.model.sample(wo, u);
         Sample { weight: scaled(sample.weight, T::lit(4.0)), ..sample }
+    }
+
+    fn eval_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        mut values: ColorBuffer<'_, T, F::Color>,
+    ) -> Result<(), BatchError> {
+        self.model.eval_batch(wi, wo, values.reborrow())?;
+        values.map(|value| limited(value * T::lit(4.0)));
+        Ok(())
+    }
+
+    fn pdf_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        pdf: &mut [T],
+    ) -> Result<(), BatchError> {
+        self.model.pdf_batch(wi, wo, pdf)
+    }
+
+    fn sample_batch(
+        &self,
+        wo: Directions<'_, T>,
+        u: Uniforms<'_, T>,
+        mut samples: SampleBuffer<'_, T, F::Color>,
+    ) -> Result<(), BatchError> {
+        self.model.sample_batch(wo, u, samples.reborrow())?;
+        samples.weight.map(|weight| limited(weight * T::lit(4.0)));
+        Ok(())
     }
 }
 
@@ -193,7 +225,7 @@ where
 
     /// The printed s = D G F/(N·E): reflected intensity for light of intensity 1 from `wi`. It is
     /// the BRDF times N·L.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn specular(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color
     where
@@ -212,25 +244,61 @@ where
 {
     type Color = F::Color;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
         scaled(self.model.eval(wi, wo), self.scale)
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         self.model.pdf(wi, wo)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
         let sample = self.model.sample(wo, u);
         Sample { weight: scaled(sample.weight, self.scale), ..sample }
+    }
+
+    fn eval_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        mut values: ColorBuffer<'_, T, F::Color>,
+    ) -> Result<(), BatchError> {
+        self.model.eval_batch(wi, wo, values.reborrow())?;
+        values.map(|value| limited(value * self.scale));
+        Ok(())
+    }
+
+    fn pdf_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        pdf: &mut [T],
+    ) -> Result<(), BatchError> {
+        self.model.pdf_batch(wi, wo, pdf)
+    }
+
+    fn sample_batch(
+        &self,
+        wo: Directions<'_, T>,
+        u: Uniforms<'_, T>,
+        mut samples: SampleBuffer<'_, T, F::Color>,
+    ) -> Result<(), BatchError> {
+        self.model.sample_batch(wo, u, samples.reborrow())?;
+        samples.weight.map(|weight| limited(weight * self.scale));
+        Ok(())
     }
 }
 
 /// A colour times a number, saturated.
 #[inline(always)]
 fn scaled<T: Real, C: Color<T>>(color: C, scale: T) -> C {
-    (color * scale).map(|value| value.min(T::max_finite()))
+    (color * scale).map(limited)
+}
+
+#[inline(always)]
+fn limited<T: Real>(value: T) -> T {
+    value.min(T::max_finite())
 }

@@ -145,12 +145,12 @@ impl<T: Real> Visible<T> {
 }
 
 impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T, D, N> {
-    #[inline]
+    #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
         self.sum(|distribution| distribution.density(h)).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let mut choice = Choice::new(u);
         for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
@@ -161,12 +161,12 @@ impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T,
 }
 
 impl<T: Real, D: Smith<T>, const N: usize> Smith<T> for Mixture<T, D, N> {
-    #[inline]
+    #[inline(always)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
         self.sum(|distribution| distribution.lambda_cos(w)).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let (visible, mut choice) = (Visible::new(wo, self.lambda_cos(wo)), Choice::new(u));
         for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {

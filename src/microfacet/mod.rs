@@ -5,6 +5,7 @@ mod blinn;
 mod blinn_1977;
 mod cook_torrance;
 mod distribution;
+mod facets;
 mod gaussian;
 mod gaussian_tilts;
 mod ggx;

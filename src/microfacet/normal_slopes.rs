@@ -3,7 +3,7 @@
 
 use core::f64::consts::{FRAC_2_SQRT_PI, TAU};
 
-use crate::real::{Real, Vector};
+use crate::real::{Real, Vector, iterate};
 use crate::sampling::uniform;
 
 /// Two independent slopes with density exp(−x² − y²)/π: tan²θ = −ln(1 − u₀).
@@ -18,7 +18,7 @@ pub(super) fn slopes<T: Real>(u: [T; 2]) -> (T, T) {
 }
 
 /// Slopes with the density of those that face `s`, a direction above the surface of roughness 1.
-#[inline]
+#[inline(always)]
 pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
     let (u, one) = (uniform(u), T::lit(1.0));
     let sin_squared = s.x().squared() + s.y().squared();
@@ -44,7 +44,7 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
 /// is `u`, by four steps of Newton's method: on ln C where `u` is small, on √(1 − C) where it is
 /// large. Both are close to straight lines, the second because C ends in a parabola. What is left
 /// is an error of C below 2·10⁻¹³ in `f64` and 4·10⁻⁷ in `f32`, relative to `u` (1 + 2x²).
-#[inline]
+#[inline(always)]
 fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
     let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
     // Slope −∞ belongs to u = 0. Probability 10⁻³⁷ is what every number can represent.
@@ -56,27 +56,31 @@ fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
     let parabola = T::lit(FRAC_1_SQRT_PI) / sin;
     // The viewer's cosine only moves the slope up: this is the solution at grazing.
     let smallest = -(-u.ln()).max(zero).sqrt();
-    let mut x = T::select(u.lt(T::lit(0.01)), smallest, first_guess(cos, sin, largest, u));
-    for _ in 0..4 {
-        x = x.clamp(smallest, largest);
-        let gauss = (-x.squared()).exp();
-        let below = cos * (-x).erfc() + sin * gauss * T::lit(FRAC_1_SQRT_PI);
-        let facing = cos - x * sin;
-        // Near the upper end the difference is all rounding; the parabola there bounds it.
-        let bound = facing.squared() * T::select(x.gt(zero), gauss, one) * parabola;
-        let above = (whole - below).max(zero).min(bound);
-        let density = facing * gauss * T::lit(2.0 * FRAC_1_SQRT_PI);
-        let small_step = below * (part / below).ln();
-        let large_step = two * (above - (above * rest).sqrt());
-        x = x + T::select(small, small_step, large_step) / density.max(T::lit(1e-37));
-    }
+    let first = T::select(u.lt(T::lit(0.01)), smallest, first_guess(cos, sin, largest, u));
+    let x = iterate::<4, _>(
+        first,
+        #[inline(always)]
+        |x| {
+            let x = x.clamp(smallest, largest);
+            let gauss = (-x.squared()).exp();
+            let below = cos * (-x).erfc() + sin * gauss * T::lit(FRAC_1_SQRT_PI);
+            let facing = cos - x * sin;
+            // Near the upper end the difference is all rounding; the parabola there bounds it.
+            let bound = facing.squared() * T::select(x.gt(zero), gauss, one) * parabola;
+            let above = (whole - below).max(zero).min(bound);
+            let density = facing * gauss * T::lit(2.0 * FRAC_1_SQRT_PI);
+            let small_step = below * (part / below).ln();
+            let large_step = two * (above - (above * rest).sqrt());
+            x + T::select(small, small_step, large_step) / density.max(T::lit(1e-37))
+        },
+    );
     x.clamp(smallest, largest)
 }
 
 /// A slope within 0.3 of the one with distribution function `u`: one power law in erf x for each
 /// angle, the fit of Wenzel Jakob's "An improved visible normal sampling routine for the Beckmann
 /// distribution", 2014.
-#[inline]
+#[inline(always)]
 fn first_guess<T: Real>(cos: T, sin: T, largest: T, u: T) -> T {
     let one = T::lit(1.0);
     let theta = sin.atan2(cos);
@@ -92,7 +96,7 @@ const FRAC_1_SQRT_PI: f64 = 0.5 * FRAC_2_SQRT_PI;
 ///
 /// The polynomial is the Chebyshev interpolation of (1 + ν)² exp(ν²) ierfc ν in
 /// (ν − 3)/(ν + 3), which runs from −1 to 1, computed with 60 digits.
-#[inline]
+#[inline(always)]
 pub(super) fn ierfc<T: Real>(nu: T) -> T {
     // exp(−40²) is zero in every number; the bound keeps infinity out of the quotient.
     let nu = nu.min(T::lit(40.0));

@@ -33,19 +33,19 @@ pub trait Shadowing<T: Real, D>: Send + Sync {
 macro_rules! forward {
     ($pointer:ty) => {
         impl<T: Real, D, S: Shadowing<T, D> + ?Sized> Shadowing<T, D> for $pointer {
-            #[inline]
+            #[inline(always)]
             fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
                 (**self).visibility(distribution, pair)
             }
-            #[inline]
+            #[inline(always)]
             fn masking(&self, distribution: &D, pair: &Pair<T>) -> T {
                 (**self).masking(distribution, pair)
             }
-            #[inline]
+            #[inline(always)]
             fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
                 (**self).unshadowed(distribution, pair)
             }
-            #[inline]
+            #[inline(always)]
             fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(distribution, wo, u)
             }

@@ -60,49 +60,49 @@ pub struct SmithCorrelated;
 pub struct SmithSeparable;
 
 impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
-    #[inline]
+    #[inline(always)]
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
         let hidden_i = distribution.lambda_cos(pair.wi) * pair.cos_o;
         let hidden_o = distribution.lambda_cos(pair.wo) * pair.cos_i;
         (T::lit(0.25) / (pair.cos_i * pair.cos_o + (hidden_i + hidden_o))).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn masking(&self, distribution: &D, pair: &Pair<T>) -> T {
         masking(distribution, pair)
     }
 
-    #[inline]
+    #[inline(always)]
     fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
         let unmasked = pair.cos_o / (pair.cos_o + distribution.lambda_cos(pair.wo));
         pair.cos_i / (pair.cos_i + distribution.lambda_cos(pair.wi) * unmasked)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         distribution.sample_visible(wo, u)
     }
 }
 
 impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
-    #[inline]
+    #[inline(always)]
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
         let seen_i = pair.cos_i + distribution.lambda_cos(pair.wi);
         let seen_o = pair.cos_o + distribution.lambda_cos(pair.wo);
         (T::lit(0.25) / (seen_i * seen_o)).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn masking(&self, distribution: &D, pair: &Pair<T>) -> T {
         masking(distribution, pair)
     }
 
-    #[inline]
+    #[inline(always)]
     fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
         pair.cos_i / (pair.cos_i + distribution.lambda_cos(pair.wi))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         distribution.sample_visible(wo, u)
     }

@@ -3,7 +3,7 @@ use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 use super::distribution::Distribution;
 use super::shadowing::Shadowing;
 use crate::direction::Pair;
-use crate::real::{Real, Vector};
+use crate::real::{Real, Vector, iterate};
 use crate::sampling::uniform;
 
 /// Shadowing and masking in long symmetric V-shaped grooves.
@@ -57,27 +57,27 @@ use crate::sampling::uniform;
 pub struct VCavity;
 
 impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
-    #[inline]
+    #[inline(always)]
     fn visibility(&self, _: &D, pair: &Pair<T>) -> T {
         let (smaller, larger) = (pair.cos_i.min(pair.cos_o), pair.cos_i.max(pair.cos_o));
         let denominator = larger * (smaller * pair.cos_h).max(half_cos_d(pair));
         (T::lit(0.25) * pair.cos_h / denominator).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn masking(&self, _: &D, pair: &Pair<T>) -> T {
         let denominator = (pair.cos_o * pair.cos_h).max(half_cos_d(pair));
         (T::lit(0.25) * pair.cos_h / denominator).min(T::max_finite())
     }
 
-    #[inline]
+    #[inline(always)]
     fn unshadowed(&self, _: &D, pair: &Pair<T>) -> T {
         let masked = (pair.cos_o * pair.cos_h).max(half_cos_d(pair));
         let shadowed = (pair.cos_i * pair.cos_h).max(half_cos_d(pair));
         (pair.cos_i / pair.cos_o * (masked / shadowed)).min(T::lit(1.0))
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let ([tilt, place], zero, one) = (uniform(u), T::lit(0.0), T::lit(1.0));
         // All facets of this tilt: (x cosψ, y sinψ, z), of which one eighth of a turn shows both
@@ -109,7 +109,7 @@ fn half_cos_d<T: Real>(pair: &Pair<T>) -> T {
 
 /// Cosine and sine of the azimuth φ in [−π, π] from the viewer for a number in [0, 1]: of two
 /// opposite facets with areas (1 ± K cosφ)₊ one is chosen in proportion to the areas.
-#[inline]
+#[inline(always)]
 fn visible_azimuth<T: Real>(k: T, u: T) -> (T, T) {
     let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
     let (quarter_turn, half_turn) = (T::lit(FRAC_PI_2), T::lit(PI));
@@ -127,19 +127,22 @@ fn visible_azimuth<T: Real>(k: T, u: T) -> (T, T) {
     let half_width = one.atan2(b);
     let width = half_width * two;
     let target = tau.min(width);
-    let mut x = (target * width).sqrt();
-    for _ in 0..3 {
-        let (sin_half, cos_half) = (x * T::lit(0.5)).sin_cos();
-        let sin = two * sin_half * cos_half;
-        let one_minus_cos = two * sin_half.squared();
-        let value = x - a * sin + b * one_minus_cos - target;
-        let slope = (one - a) + a * one_minus_cos + b * sin;
-        let curvature = a * sin + b * (one - one_minus_cos);
-        let discriminant = T::lit(16.0) * slope.squared() - T::lit(20.0) * value * curvature;
-        // Both terms are zero only at the solution x = 0, where the value is zero too.
-        let denominator = (slope + discriminant.abs().sqrt()).max(T::lit(1e-30));
-        x = (x - T::lit(5.0) * value / denominator).clamp(zero, width);
-    }
+    let x = iterate::<3, _>(
+        (target * width).sqrt(),
+        #[inline(always)]
+        |x: T| {
+            let (sin_half, cos_half) = (x * T::lit(0.5)).sin_cos();
+            let sin = two * sin_half * cos_half;
+            let one_minus_cos = two * sin_half.squared();
+            let value = x - a * sin + b * one_minus_cos - target;
+            let slope = (one - a) + a * one_minus_cos + b * sin;
+            let curvature = a * sin + b * (one - one_minus_cos);
+            let discriminant = T::lit(16.0) * slope.squared() - T::lit(20.0) * value * curvature;
+            // Both terms are zero only at the solution x = 0, where the value is zero too.
+            let denominator = (slope + discriminant.abs().sqrt()).max(T::lit(1e-30));
+            (x - T::lit(5.0) * value / denominator).clamp(zero, width)
+        },
+    );
     let both_visible = tau.lt(width);
     let from_behind =
         T::select(both_visible, quarter_turn - half_width + x, quarter_turn + tau * T::lit(0.5));

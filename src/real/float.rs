@@ -42,6 +42,8 @@ macro_rules! float {
             type Mask = bool;
             type Vec3 = $vector;
 
+            const VECTORIZES: bool = true;
+
             #[inline(always)]
             #[allow(clippy::cast_possible_truncation, reason = "rounding a literal is the purpose")]
             fn lit(value: f64) -> Self {
@@ -55,7 +57,7 @@ macro_rules! float {
             fn select(mask: bool, yes: Self, no: Self) -> Self {
                 if mask { yes } else { no }
             }
-            #[inline]
+            #[inline(always)]
             fn outside(self, lower: f64, upper: f64) -> Option<f64> {
                 // In this precision, so that the number nearest to an end is inside.
                 let range = Self::lit(lower)..=Self::lit(upper);

@@ -1,12 +1,14 @@
 //! Numbers: the trait that formulas are written over, and the numbers they run on.
 
 mod float;
+mod inlining;
 mod lanes;
 mod math;
 mod spectrum;
 mod traits;
 mod vector3;
 
+pub(crate) use inlining::{in_place, iterate};
 pub use lanes::Lanes;
 pub use spectrum::Spectrum;
 pub use traits::{Color, Mask, Real, Vector};

@@ -76,6 +76,10 @@ pub trait Real:
     /// `glam::DVec3` for `f64`, [`Vector3`](crate::Vector3) otherwise.
     type Vec3: Vector<Self> + Color<Self>;
 
+    /// Whether loops over these numbers become SIMD code, so that [batches](crate::batch) of them are
+    /// worth compiling for several instruction sets.
+    const VECTORIZES: bool = false;
+
     /// The nearest number to a literal.
     #[must_use]
     fn lit(value: f64) -> Self;

@@ -1,0 +1,130 @@
+//! One model for each element: textures of roughness, albedo, index.
+
+use super::block::{BLOCK, Values, within};
+use super::error::BatchError;
+use super::input::{Directions, Uniforms};
+use super::output::{ColorBuffer, SampleBuffer};
+use super::run::{self, Samples};
+use crate::brdf::Brdf;
+use crate::error::ParameterError;
+use crate::real::Real;
+
+/// [`Brdf::eval_batch`] where every element has a model of its own, which `model` makes for the
+/// index of the element.
+///
+/// ```
+/// use brdf::batch::eval_each;
+/// use brdf::{Beckmann, Brdf, CookTorrance, Schlick};
+/// use glam::Vec3;
+///
+/// let roughness = [0.1, 0.2, 0.4];
+/// let f0 = [Vec3::splat(0.04), Vec3::splat(0.5), Vec3::splat(0.9)];
+/// let model = |index: usize| {
+///     Ok(CookTorrance::new(Beckmann::new(roughness[index])?, Schlick::new(f0[index])?))
+/// };
+/// let wi = [Vec3::new(0.6, 0.0, 0.8); 3];
+/// let mut values = [Vec3::ZERO; 3];
+/// eval_each(model, (&wi).into(), Vec3::Z.into(), (&mut values).into())?;
+/// assert_eq!(values[2], model(2)?.eval(wi[2], Vec3::Z));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As there, and if a model cannot be made. Then the elements before its block are done.
+pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
+    model: impl Fn(usize) -> Result<M, ParameterError>,
+    wi: Directions<'_, T>,
+    wo: Directions<'_, T>,
+    values: ColorBuffer<'_, T, M::Color>,
+) -> Result<(), BatchError> {
+    let length = run::check_eval(wi, wo, &values)?;
+    run::eval(wi, wo, values, &|set, start, wi, wo, values| {
+        let models = models(&model, start, length)?;
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                let mut block = Values::new();
+                for (index, model) in models.iter().enumerate() {
+                    block.set(index, model.eval(wi.at(index), wo.at(index)));
+                }
+                values.copy_from(&block);
+            },
+        );
+        Ok(())
+    })
+}
+
+/// [`Brdf::pdf_batch`] where every element has a model of its own: see [`eval_each`].
+///
+/// # Errors
+/// As there.
+pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
+    model: impl Fn(usize) -> Result<M, ParameterError>,
+    wi: Directions<'_, T>,
+    wo: Directions<'_, T>,
+    pdf: &mut [T],
+) -> Result<(), BatchError> {
+    let length = run::check_pdf(wi, wo, pdf)?;
+    run::pdf(wi, wo, pdf, &|set, start, wi, wo, pdf| {
+        let models = models(&model, start, length)?;
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                let mut block = [T::lit(0.0); BLOCK];
+                for (index, model) in models.iter().enumerate() {
+                    block[index] = model.pdf(wi.at(index), wo.at(index));
+                }
+                *pdf = block;
+            },
+        );
+        Ok(())
+    })
+}
+
+/// [`Brdf::sample_batch`] where every element has a model of its own: see [`eval_each`].
+///
+/// # Errors
+/// As there.
+pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
+    model: impl Fn(usize) -> Result<M, ParameterError>,
+    wo: Directions<'_, T>,
+    u: Uniforms<'_, T>,
+    samples: SampleBuffer<'_, T, M::Color>,
+) -> Result<(), BatchError> {
+    let length = run::check_sample(wo, u, &samples)?;
+    run::sample(wo, u, samples, &|set, start, wo, u, samples| {
+        let models = models(&model, start, length)?;
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                let mut block = Samples::new();
+                for (index, model) in models.iter().enumerate() {
+                    let sample = model.sample(wo.at(index), [u[0][index], u[1][index]]);
+                    block.wi.set(index, sample.wi);
+                    block.weight.set(index, sample.weight);
+                    block.pdf[index] = sample.pdf;
+                }
+                samples.copy_from(&block);
+            },
+        );
+        Ok(())
+    })
+}
+
+/// The models of a block that begins at `start`, with the first one behind the end.
+#[inline(always)]
+fn models<M: Copy>(
+    model: &impl Fn(usize) -> Result<M, ParameterError>,
+    start: usize,
+    end: usize,
+) -> Result<[M; BLOCK], BatchError> {
+    let at = |index| model(index).map_err(|error| BatchError::Parameter { index, error });
+    let mut models = [at(start)?; BLOCK];
+    for (index, model) in (start..end).zip(&mut models).skip(1) {
+        *model = at(index)?;
+    }
+    Ok(models)
+}

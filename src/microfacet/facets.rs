@@ -1,0 +1,225 @@
+//! What distribution and shadowing make together, without the Fresnel term.
+//!
+//! For batches this is a stage of its own. It is compiled once for each pair of distribution and
+//! shadowing and not once more for each Fresnel term, and its loops keep to fewer registers.
+
+use super::distribution::Distribution;
+use super::shadowing::Shadowing;
+use crate::batch::block::{BLOCK, Components, Plane, Planes, within};
+use crate::batch::{BatchError, Directions, InstructionSet, run};
+use crate::direction::{Pair, above_surface, reflect};
+use crate::real::{Mask, Real, Vector, in_place};
+
+/// The facets of a surface.
+#[derive(Clone, Copy)]
+pub(super) struct Facets<'a, D, S> {
+    pub(super) distribution: &'a D,
+    pub(super) shadowing: &'a S,
+}
+
+/// Light that facets mirror: what the Fresnel term is asked, and what its answer is multiplied by.
+#[derive(Clone, Copy)]
+pub(super) struct Mirrored<T> {
+    /// The cosine of the angle of incidence on the facet, at most 1.
+    pub(super) cos: T,
+    /// Zero where there is no reflection.
+    pub(super) scale: T,
+}
+
+/// A direction drawn by visible normals.
+#[derive(Clone, Copy)]
+pub(super) struct Draw<T: Real> {
+    pub(super) wi: T::Vec3,
+    pub(super) pdf: T,
+    /// What the weight consists of.
+    pub(super) weight: Mirrored<T>,
+}
+
+/// [`Mirrored`] for a block.
+pub(super) struct MirroredBlock<T> {
+    cos: Plane<T>,
+    scale: Plane<T>,
+}
+
+impl<T: Real> MirroredBlock<T> {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self { cos: [T::lit(0.0); BLOCK], scale: [T::lit(0.0); BLOCK] }
+    }
+
+    #[inline(always)]
+    pub(super) fn at(&self, index: usize) -> Mirrored<T> {
+        Mirrored { cos: self.cos[index], scale: self.scale[index] }
+    }
+
+    #[inline(always)]
+    fn set(&mut self, index: usize, mirrored: Mirrored<T>) {
+        self.cos[index] = mirrored.cos;
+        self.scale[index] = mirrored.scale;
+    }
+}
+
+impl<D, S> Facets<'_, D, S> {
+    /// D G / (4 (N·wi) (N·wo)).
+    #[inline(always)]
+    pub(super) fn mirrored<T: Real>(&self, wi: T::Vec3, wo: T::Vec3) -> Mirrored<T>
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let pair = Pair::new(wi, wo);
+                let visibility = self.shadowing.visibility(self.distribution, &pair);
+                let value = (self.distribution.density(pair.h) * visibility).min(T::max_finite());
+                Mirrored { cos: cos_d(&pair), scale: T::select(pair.above, value, T::lit(0.0)) }
+            },
+        )
+    }
+
+    #[inline(always)]
+    pub(super) fn pdf<T: Real>(&self, wi: T::Vec3, wo: T::Vec3) -> T
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let pair = Pair::new(wi, wo);
+                T::select(pair.above, self.density(&pair), T::lit(0.0))
+            },
+        )
+    }
+
+    #[inline(always)]
+    pub(super) fn draw<T: Real>(&self, wo: T::Vec3, u: [T; 2]) -> Draw<T>
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let zero = T::lit(0.0);
+                let above = above_surface::<T, _>(wo);
+                let normal = Vector::new(zero, zero, T::lit(1.0));
+                let wo = <T::Vec3 as Vector<T>>::select(above, wo, normal);
+                let h = self.shadowing.sample_visible(self.distribution, wo, u);
+                let wi = reflect(wo, h);
+                // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
+                let pair = Pair::new(wi, wo);
+                let drawn = above.and(pair.above);
+                let unshadowed = self.shadowing.unshadowed(self.distribution, &pair);
+                Draw {
+                    wi,
+                    pdf: T::select(drawn, self.density(&pair), zero),
+                    weight: Mirrored {
+                        cos: cos_d(&pair),
+                        scale: T::select(drawn, unshadowed, zero),
+                    },
+                }
+            },
+        )
+    }
+
+    /// The density of the samples, whether or not the light is above the surface.
+    #[inline(always)]
+    fn density<T: Real>(&self, pair: &Pair<T>) -> T
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        let masking = self.shadowing.masking(self.distribution, pair);
+        (self.distribution.density(pair.h) * masking).min(T::max_finite())
+    }
+
+    #[inline(never)]
+    pub(super) fn mirrored_block<T: Real>(
+        &self,
+        set: InstructionSet,
+        wi: Components<'_, T>,
+        wo: Components<'_, T>,
+        mirrored: &mut MirroredBlock<T>,
+    ) where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                let mut block = MirroredBlock::new();
+                for index in 0..BLOCK {
+                    block.set(index, self.mirrored(wi.at(index), wo.at(index)));
+                }
+                *mirrored = block;
+            },
+        );
+    }
+
+    #[inline(never)]
+    pub(super) fn pdf_batch<T: Real>(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        pdf: &mut [T],
+    ) -> Result<(), BatchError>
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        run::pdf(wi, wo, pdf, &|set, _, wi, wo, pdf| {
+            within::<T, _>(
+                set,
+                #[inline(always)]
+                || {
+                    let mut block = [T::lit(0.0); BLOCK];
+                    for (index, pdf) in block.iter_mut().enumerate() {
+                        *pdf = self.pdf(wi.at(index), wo.at(index));
+                    }
+                    *pdf = block;
+                },
+            );
+            Ok(())
+        })
+    }
+
+    #[inline(never)]
+    pub(super) fn draw_block<T: Real>(
+        &self,
+        set: InstructionSet,
+        wo: Components<'_, T>,
+        u: [&Plane<T>; 2],
+        (wi, pdf): (&mut Planes<T, 3>, &mut Plane<T>),
+        weight: &mut MirroredBlock<T>,
+    ) where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                let mut wi_block = Planes::new();
+                let mut pdf_block = [T::lit(0.0); BLOCK];
+                let mut weight_block = MirroredBlock::new();
+                for index in 0..BLOCK {
+                    let draw = self.draw(wo.at(index), [u[0][index], u[1][index]]);
+                    wi_block.set(index, draw.wi);
+                    pdf_block[index] = draw.pdf;
+                    weight_block.set(index, draw.weight);
+                }
+                (*wi, *pdf, *weight) = (wi_block, pdf_block, weight_block);
+            },
+        );
+    }
+}
+
+/// The cosine that the Fresnel term is asked for. That of a pair exceeds 1 by the rounding of the
+/// directions' lengths.
+#[inline(always)]
+fn cos_d<T: Real>(pair: &Pair<T>) -> T {
+    pair.cos_d.min(T::lit(1.0))
+}
