@@ -43,5 +43,5 @@ pub use microfacet::{
     Distribution, Gaussian, Ggx, Mixture, Shadowing, Smith, SmithCorrelated, SmithSeparable,
     VCavity,
 };
-pub use real::{Color, Lanes, Mask, Real, Spectrum, Vector, Vector3};
+pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

@@ -6,7 +6,7 @@ use crate::batch::run::{self, Samples};
 use crate::batch::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Lift, Mask, Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// A weighted sum of models: diffuse plus specular, mixtures of materials, layers.
@@ -95,6 +95,19 @@ impl<M, C, T> WeightedSum<M, C, T> {
             model: change(model),
         });
         WeightedSum { terms: terms.collect() }
+    }
+}
+
+lift! {
+    [T: Real, C: Color<T>, M: Lift<T>] Term<M, C, T> => Term<M::Over<U>, C::Over<U>, U>:
+    Term { weight: color, probability: number, model: part }
+}
+
+impl<T: Real, C: Color<T>, M: Lift<T>> Lift<T> for WeightedSum<M, C, T> {
+    type Over<U: Real> = WeightedSum<M::Over<U>, C::Over<U>, U>;
+
+    fn lift<U: Real>(&self, lift: impl Fn(T) -> U + Copy) -> Self::Over<U> {
+        WeightedSum { terms: self.terms.iter().map(|term| term.lift(lift)).collect() }
     }
 }
 

@@ -113,7 +113,7 @@ pub(super) fn whole<T>(slice: &[T], start: usize) -> Option<&[T; BLOCK]> {
 }
 
 /// Copies what there is of a block, and zeros behind it.
-fn fill<T: Real>(memory: &mut Plane<T>, from: &[T]) {
+pub(super) fn fill<T: Real>(memory: &mut Plane<T>, from: &[T]) {
     *memory = [T::lit(0.0); BLOCK];
     for (memory, from) in memory.iter_mut().zip(from) {
         *memory = *from;

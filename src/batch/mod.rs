@@ -46,6 +46,7 @@ pub(crate) mod model;
 mod output;
 #[cfg(feature = "rayon")]
 pub mod parallel;
+pub(crate) mod parts;
 pub(crate) mod run;
 
 pub use each::{eval_each, pdf_each, sample_each};

@@ -3,7 +3,7 @@ use core::f64::consts::FRAC_1_PI;
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Mask, Real, Vector, lift};
 use crate::sampling::cosine_hemisphere;
 
 /// Lambert's ideal diffuse surface: equal radiance in all directions.
@@ -46,6 +46,11 @@ impl<C> Lambert<C> {
         ParameterError::check("albedo", range::UNIT, |lower, upper| albedo.outside(lower, upper))?;
         Ok(Self { albedo })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] Lambert<C> => Lambert<C::Over<U>>:
+    Lambert { albedo: color }
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {

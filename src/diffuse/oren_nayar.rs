@@ -3,7 +3,7 @@ use core::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Mask, Real, Vector, lift};
 use crate::sampling::cosine_hemisphere;
 
 /// Oren and Nayar's rough diffuse surface of Lambertian V-grooves, qualitative form.
@@ -109,6 +109,11 @@ impl<T: Real, C: Color<T>> OrenNayar<C, T> {
         let azimuth = (across.max(T::lit(0.0)) / tallest).min(limit);
         (self.constant + self.backscatter * azimuth).min(limit)
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] OrenNayar<C, T> => OrenNayar<C::Over<U>, U>:
+    OrenNayar { albedo: color, constant: number, backscatter: number }
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {

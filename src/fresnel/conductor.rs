@@ -2,7 +2,7 @@ use super::polarized::Polarized;
 use super::term::{Fresnel, incident_cosine};
 use crate::error::{ParameterError, range};
 use crate::quadrature::integrate;
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, lift};
 
 /// Fresnel's reflectance of a conductor or any absorbing medium, exact, seen from a transparent
 /// one.
@@ -71,6 +71,11 @@ impl<C> Conductor<C> {
         ParameterError::check("k", range::K, |lower, upper| k.outside(lower, upper))?;
         Ok(Self { eta, k })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] Conductor<C> => Conductor<C::Over<U>>:
+    Conductor { eta: color, k: color }
 }
 
 impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {

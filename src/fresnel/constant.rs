@@ -1,6 +1,6 @@
 use super::term::Fresnel;
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, lift};
 
 /// The same reflectance at all angles: an ideal mirror, or no Fresnel effect at all.
 ///
@@ -40,6 +40,11 @@ impl<C> Constant<C> {
         ParameterError::check("reflectance", range::UNIT, outside)?;
         Ok(Self { reflectance })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] Constant<C> => Constant<C::Over<U>>:
+    Constant { reflectance: color }
 }
 
 impl<T: Real, C: Color<T>> Fresnel<T> for Constant<C> {

@@ -2,7 +2,7 @@ use super::polarized::Polarized;
 use super::term::Fresnel;
 use crate::error::{ParameterError, range};
 use crate::quadrature::integrate;
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, lift};
 
 /// Fresnel's reflectance of a transparent medium, exact, from either side.
 ///
@@ -64,6 +64,11 @@ impl<C> Dielectric<C> {
         ParameterError::check("ior", range::ETA, |lower, upper| ior.outside(lower, upper))?;
         Ok(Self { ior })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] Dielectric<C> => Dielectric<C::Over<U>>:
+    Dielectric { ior: color }
 }
 
 impl<T: Real, C: Color<T>> Fresnel<T> for Dielectric<C> {

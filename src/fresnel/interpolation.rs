@@ -1,7 +1,7 @@
 use super::dielectric::Dielectric;
 use super::term::{Fresnel, average_over_cosine, incident_cosine};
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Real};
+use crate::real::{Color, Lift, Real, lift};
 
 /// Hall's interpolation: the colour at normal incidence turns white towards grazing as the exact
 /// curve of a reference material does.
@@ -73,6 +73,15 @@ impl<C, F> Hall<C, F> {
         ParameterError::check("f0", range::UNIT, |lower, upper| f0.outside(lower, upper))?;
         Ok(Self { f0, reference })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>, F: Lift<T>] Hall<C, F> => Hall<C::Over<U>, F::Over<U>>:
+    Hall { f0: color, reference: part }
+}
+lift! {
+    [T: Real, C: Color<T>, F: Lift<T>] Cook<C, F> => Cook<C::Over<U>, F::Over<U>>:
+    Cook { reflectance: part, light: color }
 }
 
 impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {

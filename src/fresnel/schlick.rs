@@ -1,6 +1,6 @@
 use super::term::{Fresnel, incident_cosine};
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, lift};
 
 /// Schlick's polynomial in place of Fresnel's equations.
 ///
@@ -56,6 +56,11 @@ impl<C> Schlick<C> {
         ParameterError::check("f0", range::UNIT, |lower, upper| f0.outside(lower, upper))?;
         Ok(Self { f0 })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] Schlick<C> => Schlick<C::Over<U>>:
+    Schlick { f0: color }
 }
 
 impl<T: Real, C: Color<T>> Fresnel<T> for Schlick<C> {

@@ -2,6 +2,7 @@
 
 use alloc::boxed::Box;
 
+use crate::batch::{self, BatchError, ColorBuffer};
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};
 
@@ -43,6 +44,19 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     fn average(&self) -> Self::Color {
         average_over_cosine(|cos| self.reflectance(cos))
     }
+
+    /// [`reflectance`](Self::reflectance) for many cosines, bit for bit, at the speed of SIMD code: see
+    /// [`batch`](crate::batch).
+    ///
+    /// # Errors
+    /// If slices differ in length, or `values` in the number of channels.
+    fn reflectance_batch(
+        &self,
+        cos_theta: &[T],
+        values: ColorBuffer<'_, T, Self::Color>,
+    ) -> Result<(), BatchError> {
+        batch::parts::reflectance(self, cos_theta, values)
+    }
 }
 
 macro_rules! forward {
@@ -56,6 +70,13 @@ macro_rules! forward {
             #[inline(always)]
             fn average(&self) -> F::Color {
                 (**self).average()
+            }
+            fn reflectance_batch(
+                &self,
+                cos_theta: &[T],
+                values: ColorBuffer<'_, T, F::Color>,
+            ) -> Result<(), BatchError> {
+                (**self).reflectance_batch(cos_theta, values)
             }
         }
     };

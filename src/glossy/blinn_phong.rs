@@ -7,7 +7,7 @@ use crate::brdf::{Brdf, Sample};
 use crate::direction::{Pair, above_surface, reflect};
 use crate::error::ParameterError;
 use crate::quadrature::integrate;
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Mask, Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// Blinn's variant of Phong's lobe, around the half vector.
@@ -91,6 +91,11 @@ impl<C, T> BlinnPhong<C, T> {
         check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent, constant: T::lit(1.0) })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] BlinnPhong<C, T> => BlinnPhong<C::Over<U>, U>:
+    BlinnPhong { specular: color, exponent: number, constant: number }
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {

@@ -6,7 +6,7 @@ use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::ParameterError;
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Mask, Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// Phong's highlight as printed in 1975, for pictures that must match it.
@@ -61,6 +61,11 @@ impl<C, T> ClassicPhong<C, T> {
         check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] ClassicPhong<C, T> => ClassicPhong<C::Over<U>, U>:
+    ClassicPhong { specular: color, exponent: number }
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {

@@ -6,7 +6,7 @@ use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::ParameterError;
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Mask, Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// Phong's lobe as a physically plausible BRDF, also called modified Phong.
@@ -68,6 +68,11 @@ impl<C, T> Phong<C, T> {
         check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent })
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] Phong<C, T> => Phong<C::Over<U>, U>:
+    Phong { specular: color, exponent: number }
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {

@@ -6,7 +6,7 @@ use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::ParameterError;
 use crate::quadrature::integrate;
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Mask, Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// Schlick's rational lobe in place of Phong's power.
@@ -163,6 +163,11 @@ impl<T: Real, C> SchlickPower<C, T> {
         let cos = one - versine;
         T::select(positive, cos / (self.exponent * versine + cos), zero)
     }
+}
+
+lift! {
+    [T: Real, C: Color<T>] SchlickPower<C, T> => SchlickPower<C::Over<U>, U>:
+    SchlickPower { specular: color, exponent: number, constant: number }
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {

@@ -2,7 +2,7 @@ use super::distribution::{Distribution, Smith};
 use super::normal_slopes::{ierfc, slopes, visible_slopes};
 use super::roughness::Roughness;
 use crate::error::ParameterError;
-use crate::real::{Real, Vector};
+use crate::real::{Real, Vector, lift};
 
 /// Beckmann's distribution: facets of a surface whose slopes are normally distributed.
 ///
@@ -68,6 +68,11 @@ impl<T: Real> Beckmann<T> {
     pub fn roughness(&self) -> [T; 2] {
         self.roughness.along()
     }
+}
+
+lift! {
+    [T: Real] Beckmann<T> => Beckmann<U>:
+    Beckmann { roughness: part }
 }
 
 impl<T: Real> Distribution<T> for Beckmann<T> {

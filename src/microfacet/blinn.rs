@@ -2,7 +2,7 @@ use core::f64::consts::{FRAC_1_PI, TAU};
 
 use super::distribution::Distribution;
 use crate::error::{ParameterError, range};
-use crate::real::{Real, Vector};
+use crate::real::{Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// A power of the cosine: the distribution behind the lobes of Phong and Blinn.
@@ -78,6 +78,11 @@ impl<T: Real> Blinn<T> {
     pub fn exponent(&self) -> T {
         self.exponent
     }
+}
+
+lift! {
+    [T: Real] Blinn<T> => Blinn<U>:
+    Blinn { exponent: number }
 }
 
 impl<T: Real> Distribution<T> for Blinn<T> {

@@ -9,7 +9,7 @@ use crate::batch::{
 };
 use crate::brdf::{Brdf, Sample};
 use crate::fresnel::Fresnel;
-use crate::real::{Color, Real, in_place};
+use crate::real::{Color, Lift, Real, in_place, lift};
 
 /// The microfacet model: a surface of small mirrors.
 ///
@@ -111,6 +111,12 @@ impl<D, F, S> CookTorrance<D, F, S> {
     const fn facets(&self) -> Facets<'_, D, S> {
         Facets { distribution: &self.distribution, shadowing: &self.shadowing }
     }
+}
+
+lift! {
+    [T: Real, D: Lift<T>, F: Lift<T>, S: Lift<T>] CookTorrance<D, F, S>
+        => CookTorrance<D::Over<U>, F::Over<U>, S::Over<U>>:
+    CookTorrance { distribution: part, fresnel: part, shadowing: part }
 }
 
 impl<T, D, F, S> Brdf<T> for CookTorrance<D, F, S>

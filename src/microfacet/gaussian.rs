@@ -3,7 +3,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::distribution::Distribution;
 use super::gaussian_tilts::Tilts;
 use crate::error::{ParameterError, range};
-use crate::real::{Real, Vector};
+use crate::real::{Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// The normal distribution of the angle between the facets and the surface, as Torrance and
@@ -63,6 +63,11 @@ impl<T: Real> Gaussian<T> {
     pub fn roughness(&self) -> T {
         self.roughness
     }
+}
+
+lift! {
+    [T: Real] Gaussian<T> => Gaussian<U>:
+    Gaussian { roughness: number, peak: number, tilts: part }
 }
 
 impl<T: Real> Distribution<T> for Gaussian<T> {

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use crate::real::{Real, iterate};
+use crate::real::{Real, iterate, lift};
 
 /// Terms of the polynomial, and of the recursion it comes from: enough for `f64` at every
 /// roughness.
@@ -52,6 +52,18 @@ pub(super) struct Tilts<T> {
     beyond: T,
     /// The density of s at 0.
     density: T,
+}
+
+lift! {
+    [T: Real] Tilts<T> => Tilts<U>:
+    Tilts {
+        exponent: number,
+        narrow: number,
+        front: number,
+        polynomial: numbers,
+        beyond: number,
+        density: number
+    }
 }
 
 impl<T: Real> Tilts<T> {

@@ -3,7 +3,7 @@ use core::f64::consts::TAU;
 use super::distribution::{Distribution, Smith};
 use super::roughness::Roughness;
 use crate::error::ParameterError;
-use crate::real::{Real, Vector};
+use crate::real::{Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// GGX, the distribution of Trowbridge and Reitz: the facets of an ellipsoid.
@@ -66,6 +66,11 @@ impl<T: Real> Ggx<T> {
     pub fn roughness(&self) -> [T; 2] {
         self.roughness.along()
     }
+}
+
+lift! {
+    [T: Real] Ggx<T> => Ggx<U>:
+    Ggx { roughness: part }
 }
 
 impl<T: Real> Distribution<T> for Ggx<T> {

@@ -13,7 +13,7 @@ use crate::batch::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::error::ParameterError;
 use crate::fresnel::Fresnel;
-use crate::real::{Color, Real, Vector};
+use crate::real::{Color, Lift, Real, Vector, lift};
 
 impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
     /// The model of Torrance and Sparrow: D = b exp(−c²α²) with the tilt α in degrees, and V-cavity
@@ -80,6 +80,12 @@ impl<F, T> CookTorrance1982Printed<F, T> {
     pub const fn new(distribution: Beckmann<T>, fresnel: F) -> Self {
         Self { model: CookTorrance::new(distribution, fresnel) }
     }
+}
+
+lift! {
+    [T: Real, F: Lift<T>] CookTorrance1982Printed<F, T>
+        => CookTorrance1982Printed<F::Over<U>, U>:
+    CookTorrance1982Printed { model: part }
 }
 
 impl<T: Real, F: Fresnel<T>> Brdf<T> for CookTorrance1982Printed<F, T> {
@@ -234,6 +240,12 @@ where
         // The BRDF is zero where the clamp takes part.
         self.eval(wi, wo) * wi.z().clamp(T::lit(0.0), T::lit(1.0))
     }
+}
+
+lift! {
+    [T: Real, D: Lift<T>, F: Lift<T>] Blinn1977Printed<D, F, T>
+        => Blinn1977Printed<D::Over<U>, F::Over<U>, U>:
+    Blinn1977Printed { model: part, scale: number }
 }
 
 impl<T, D, F> Brdf<T> for Blinn1977Printed<D, F, T>

@@ -1,6 +1,6 @@
 use super::distribution::{Distribution, Smith};
 use crate::error::{ParameterError, range};
-use crate::real::{Mask, Real, Vector};
+use crate::real::{Lift, Mask, Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// A weighted mean of distributions: surfaces with roughness on several scales.
@@ -142,6 +142,11 @@ impl<T: Real> Visible<T> {
         let visible = self.cos + distribution.lambda_cos(self.wo);
         choice.offer(weight * (visible / self.all), |u| distribution.sample_visible(self.wo, u));
     }
+}
+
+lift! {
+    [T: Real, D: Lift<T>, const N: usize] Mixture<T, D, N> => Mixture<U, D::Over<U>, N>:
+    Mixture { weights: numbers, distributions: parts }
 }
 
 impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T, D, N> {

@@ -5,7 +5,7 @@ use core::f64::consts::PI;
 
 use crate::direction::above_surface;
 use crate::error::{ParameterError, range};
-use crate::real::{Real, Vector};
+use crate::real::{Real, Vector, lift};
 
 /// Roughness along x and y with the quantities that formulas need, computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,6 +14,11 @@ pub(super) struct Roughness<T> {
     inverse: [T; 2],
     /// 1/(π a_x a_y): the density of slopes at slope 0.
     peak: T,
+}
+
+lift! {
+    [T: Real] Roughness<T> => Roughness<U>:
+    Roughness { along: numbers, inverse: numbers, peak: number }
 }
 
 impl<T: Real> Roughness<T> {

@@ -1,7 +1,7 @@
 use super::distribution::Smith;
 use super::shadowing::Shadowing;
 use crate::direction::Pair;
-use crate::real::Real;
+use crate::real::{Real, lift};
 
 /// Smith's shadowing and masking of a random surface, correlated by height: a high facet is seen
 /// by both the light and the viewer.
@@ -58,6 +58,9 @@ pub struct SmithCorrelated;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SmithSeparable;
+
+lift!(SmithCorrelated);
+lift!(SmithSeparable);
 
 impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
     #[inline(always)]

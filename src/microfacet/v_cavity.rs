@@ -3,7 +3,7 @@ use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 use super::distribution::Distribution;
 use super::shadowing::Shadowing;
 use crate::direction::Pair;
-use crate::real::{Real, Vector, iterate};
+use crate::real::{Real, Vector, iterate, lift};
 use crate::sampling::uniform;
 
 /// Shadowing and masking in long symmetric V-shaped grooves.
@@ -55,6 +55,8 @@ use crate::sampling::uniform;
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct VCavity;
+
+lift!(VCavity);
 
 impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
     #[inline(always)]

@@ -3,6 +3,7 @@
 mod float;
 mod inlining;
 mod lanes;
+mod lift;
 mod math;
 mod spectrum;
 mod traits;
@@ -10,6 +11,8 @@ mod vector3;
 
 pub(crate) use inlining::{in_place, iterate};
 pub use lanes::Lanes;
+pub use lift::Lift;
+pub(crate) use lift::lift;
 pub use spectrum::Spectrum;
 pub use traits::{Color, Mask, Real, Vector};
 pub use vector3::Vector3;

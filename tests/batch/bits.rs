@@ -12,7 +12,7 @@ use crate::common::models;
 const LENGTHS: [usize; 9] = [0, 1, 15, 16, 17, 127, 128, 129, 1000];
 
 /// The selected instruction set is one for the whole program.
-static SELECTION: Mutex<()> = Mutex::new(());
+pub(crate) static SELECTION: Mutex<()> = Mutex::new(());
 
 /// Pairs above the surface, and among them what is no direction and what is none above.
 fn directions(count: usize) -> Vec<(DVec3, DVec3)> {

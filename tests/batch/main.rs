@@ -7,3 +7,4 @@ mod bits;
 mod each;
 mod errors;
 mod parallel;
+mod parts;

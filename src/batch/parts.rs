@@ -1,0 +1,105 @@
+//! Batches of the parts of a model: Fresnel terms and distributions.
+
+use super::block::{BLOCK, Components, Plane, Planes, Values, within};
+use super::error::{BatchError, Length};
+use super::input::{Directions, fill, whole};
+use super::instruction_set::InstructionSet;
+use super::output::{ColorBuffer, write_plane};
+use crate::fresnel::Fresnel;
+use crate::microfacet::Distribution;
+use crate::real::{Color, Real};
+
+pub(crate) fn reflectance<T: Real, F: Fresnel<T> + ?Sized>(
+    fresnel: &F,
+    cos_theta: &[T],
+    values: ColorBuffer<'_, T, F::Color>,
+) -> Result<(), BatchError> {
+    over_numbers(cos_theta, values, &|set, cos_theta, values| {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                let mut block = Values::new();
+                for (index, cos_theta) in cos_theta.iter().enumerate() {
+                    block.set(index, fresnel.reflectance(*cos_theta));
+                }
+                values.copy_from(&block);
+            },
+        );
+    })
+}
+
+pub(crate) fn density<T: Real, D: Distribution<T> + ?Sized>(
+    distribution: &D,
+    h: Directions<'_, T>,
+    densities: &mut [T],
+) -> Result<(), BatchError> {
+    over_directions(h, densities, &|set, h, densities| {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                let mut block = [T::lit(0.0); BLOCK];
+                for (index, density) in block.iter_mut().enumerate() {
+                    *density = distribution.density(h.at(index));
+                }
+                *densities = block;
+            },
+        );
+    })
+}
+
+#[inline(never)]
+fn over_numbers<T: Real, C: Color<T>>(
+    cos_theta: &[T],
+    mut values: ColorBuffer<'_, T, C>,
+    block: &dyn Fn(InstructionSet, &Plane<T>, &mut Values<T, C>),
+) -> Result<(), BatchError> {
+    let length = values.length(["values", "values[0]", "values[1]", "values[2]"])?;
+    length.check("cos_theta", cos_theta.len())?;
+    let set = InstructionSet::selected();
+    within::<T, _>(
+        set,
+        #[inline(always)]
+        || {
+            let mut memory = [T::lit(0.0); BLOCK];
+            let mut result = Values::new();
+            for start in (0..length.get()).step_by(BLOCK) {
+                let numbers = match whole(cos_theta, start) {
+                    Some(numbers) => numbers,
+                    None => {
+                        fill(&mut memory, cos_theta.get(start..).unwrap_or_default());
+                        &memory
+                    }
+                };
+                block(set, numbers, &mut result);
+                values.write(start, &result);
+            }
+        },
+    );
+    Ok(())
+}
+
+#[inline(never)]
+fn over_directions<T: Real>(
+    h: Directions<'_, T>,
+    densities: &mut [T],
+    block: &dyn Fn(InstructionSet, Components<'_, T>, &mut Plane<T>),
+) -> Result<(), BatchError> {
+    let length = Length::of("densities", densities.len());
+    h.check(&length, ["h", "h.x", "h.y", "h.z"])?;
+    let set = InstructionSet::selected();
+    within::<T, _>(
+        set,
+        #[inline(always)]
+        || {
+            let mut memory = Planes::new();
+            let mut result = [T::lit(0.0); BLOCK];
+            for start in (0..length.get()).step_by(BLOCK) {
+                block(set, h.block(start, &mut memory), &mut result);
+                write_plane(densities, start, &result);
+            }
+        },
+    );
+    Ok(())
+}
