@@ -12,7 +12,7 @@ use common::models;
 use rayon::prelude::*;
 
 /// Small enough for every day.
-const SIZE: Size = Size { pilot: 8_000, draws: 20_000, tolerance: 1.5e-7, budget: 600_000 };
+const SIZE: Size = Size { pilot: 8_000, draws: 20_000, tolerance: 1.5e-7, budget: 300_000 };
 
 struct Case {
     name: String,
@@ -62,6 +62,22 @@ fn samples_follow_the_density() {
             (!good).then(|| format!("{precision} p {:e}, {verdict:?}", verdict.p_value))
         })
     });
+}
+
+/// ∫ pdf dω + P(no direction) = 1: to 10⁻⁶ in nine of ten cases, and nowhere off by more than
+/// 2·10⁻⁴. What is off by more than 10⁻⁶ is the quadrature at this size, not known to be a model:
+/// strips of failing numbers at the ends of the terms of a mixture and features of grazing lobes
+/// that hold less than one draw in ten thousand can lie between all points that are looked at.
+#[test]
+fn the_density_leaves_nothing_out() {
+    assert_all(|Case { sampling, .. }| {
+        let excess = sampling.excess();
+        (excess.abs() > 2e-4)
+            .then(|| format!("{excess:e}, {:?}, {:?}", sampling.mass, sampling.failure))
+    });
+    let exact = CASES.iter().filter(|case| case.sampling.excess().abs() < 1e-6).count();
+    println!("{exact} of {} within 1e-6", CASES.len());
+    assert!(10 * exact >= 9 * CASES.len(), "only {exact} of {} within 1e-6", CASES.len());
 }
 
 /// The pdf of a sample is `pdf`, to the last bit; its weight times `pdf` is `eval` times the

@@ -16,6 +16,8 @@ pub struct Cubature<const K: usize> {
     pub integrals: Vec<[f64; K]>,
     /// The sum over all cells and functions of the estimates of the error.
     pub error: f64,
+    /// That of the first function alone.
+    pub first_error: f64,
     pub evaluations: u32,
 }
 
@@ -26,19 +28,12 @@ impl<const K: usize> Cubature<K> {
     }
 }
 
-/// A point at which it is known whether the first function is positive.
-pub type Witness = ([f64; 2], bool);
-
 /// Integrates over each cell until the error of the sum is about `tolerance` or the evaluations
 /// exceed the `budget`. The formula gives K functions, all zero where the first is, and the area
 /// that belongs to a unit of the plane; it may vanish at the edges of the plane, the functions
 /// need not.
-///
-/// Witnesses that contradict what a few points of a rectangle say make it be cut until the edge
-/// between them has been seen.
 pub fn integrate<const K: usize>(
     partition: &Partition,
-    witnesses: &[Witness],
     tolerance: f64,
     budget: u32,
     formula: impl Fn([f64; 2]) -> ([f64; K], f64),
@@ -46,25 +41,16 @@ pub fn integrate<const K: usize>(
     let mut integrand = Integrand { formula, evaluations: 0 };
     let negligible = 1e-3 * tolerance;
     let cells = partition.cells();
-    let mut of_cells = vec![Vec::new(); cells.len()];
-    for &witness in witnesses {
-        of_cells[partition.locate(witness.0)].push(witness);
-    }
     let mut heap = BinaryHeap::with_capacity(2 * cells.len());
-    for ((cell, &rectangle), witnesses) in cells.iter().enumerate().zip(of_cells) {
-        heap.push(Part::new(&mut integrand, negligible, cell, rectangle, false, witnesses));
+    for (cell, &rectangle) in cells.iter().enumerate() {
+        heap.push(Part::new(&mut integrand, negligible, cell, rectangle, false));
     }
     let mut error: f64 = heap.iter().map(|part| part.piece.error()).sum();
     while error > tolerance && integrand.evaluations < budget {
-        let Some(Part { cell, rectangle, piece, whole, witnesses }) = heap.pop() else { break };
+        let Some(Part { cell, rectangle, piece, whole }) = heap.pop() else { break };
         error -= piece.error();
-        let halves = rectangle.cut_in_half(piece.axis);
-        let sides: [Vec<Witness>; 2] = witnesses
-            .into_iter()
-            .partition(|(place, _)| place[piece.axis] < halves[0].to[piece.axis])
-            .into();
-        for (half, witnesses) in halves.into_iter().zip(sides) {
-            let part = Part::new(&mut integrand, negligible, cell, half, whole, witnesses);
+        for half in rectangle.cut_in_half(piece.axis) {
+            let part = Part::new(&mut integrand, negligible, cell, half, whole);
             error += part.piece.error();
             heap.push(part);
         }
@@ -76,7 +62,8 @@ pub fn integrate<const K: usize>(
         }
     }
     let error = heap.iter().map(|part| part.piece.error()).sum();
-    Cubature { integrals, error, evaluations: integrand.evaluations }
+    let first_error = heap.iter().map(|part| part.piece.first_error).sum();
+    Cubature { integrals, error, first_error, evaluations: integrand.evaluations }
 }
 
 /// The functions, with a count of how often they were asked.
@@ -101,13 +88,15 @@ pub struct Piece<const K: usize> {
     pub integral: [f64; K],
     /// Estimates of the error along the axes.
     pub errors: [f64; 2],
+    /// What the first function has in them.
+    pub first_error: f64,
     /// The axis across which to cut.
     pub axis: usize,
 }
 
 impl<const K: usize> Piece<K> {
-    pub fn new(integral: [f64; K], errors: [f64; 2]) -> Self {
-        Self { integral, errors, axis: usize::from(errors[1] > errors[0]) }
+    pub fn new(integral: [f64; K], errors: [f64; 2], first_error: f64) -> Self {
+        Self { integral, errors, first_error, axis: usize::from(errors[1] > errors[0]) }
     }
 
     fn error(&self) -> f64 {
@@ -122,8 +111,6 @@ struct Part<const K: usize> {
     piece: Piece<K>,
     /// Whether the first function seems positive all over.
     whole: bool,
-    /// Those that lie in it.
-    witnesses: Vec<Witness>,
 }
 
 impl<const K: usize> Ord for Part<K> {
@@ -151,7 +138,6 @@ impl<const K: usize> Part<K> {
         cell: usize,
         rectangle: Rectangle,
         of_whole: bool,
-        mut witnesses: Vec<Witness>,
     ) -> Self {
         let [xs, ys] = [0, 1].map(|axis| nodes(rectangle.from[axis], rectangle.to[axis]));
         let grid = xs.map(|x| ys.map(|y| integrand.at([x, y])));
@@ -178,45 +164,10 @@ impl<const K: usize> Part<K> {
                 .flat_map(|rows| rows[0].iter().zip(&rows[1]))
                 .filter(|(a, b)| a != b);
             let axis = usize::from(along_y.count() > along_x.count());
-            let (piece, seen) = super::lines::integrate(integrand, &rectangle, axis, most);
-            if !seen {
-                call_witnesses(integrand, &rectangle, &mut witnesses);
-            }
-            return Self { cell, rectangle, piece, whole, witnesses };
+            let piece = super::lines::integrate(integrand, &rectangle, axis, most);
+            return Self { cell, rectangle, piece, whole };
         }
-        let mut piece = of_grid(&rectangle, &grid);
-        let doubted = (whole || empty) && witnesses.iter().any(|witness| witness.1 != whole);
-        if doubted {
-            call_witnesses(integrand, &rectangle, &mut witnesses);
-            let against = witnesses.iter().filter(|witness| witness.1 != whole).count();
-            let axis = rectangle.longer();
-            let share = against as f64 / witnesses.len() as f64;
-            piece.errors[axis] = piece.errors[axis].max(share * rectangle.area());
-            piece.axis = axis;
-        }
-        Self { cell, rectangle, piece, whole: whole && !doubted, witnesses }
-    }
-}
-
-/// Asks at more points of a rectangle, unless many are known. What is so narrow that the grid and
-/// the sides miss it may be missed by the parts next to the one that finds it, too.
-fn call_witnesses<const K: usize>(
-    integrand: &mut Integrand<impl Fn([f64; 2]) -> ([f64; K], f64)>,
-    rectangle: &Rectangle,
-    witnesses: &mut Vec<Witness>,
-) {
-    const MANY: u32 = 1000;
-    if witnesses.len() >= MANY as usize {
-        return;
-    }
-    // The additive sequence of the plastic number fills the square evenly.
-    for index in 0..MANY {
-        let place = [0.7548776662466927, 0.5698402909980532];
-        let place = [0, 1].map(|axis| {
-            let part = (0.5 + place[axis] * f64::from(index)).fract();
-            rectangle.from[axis] + part * rectangle.width(axis)
-        });
-        witnesses.push((place, integrand.inside(place)));
+        Self { cell, rectangle, piece: of_grid(&rectangle, &grid), whole }
     }
 }
 
@@ -262,7 +213,7 @@ pub fn points([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
 /// The integrals by the values and areas at all pairs of nodes.
 fn of_grid<const K: usize>(rectangle: &Rectangle, grid: &[[([f64; K], f64); 7]; 7]) -> Piece<K> {
     let scale = 0.25 * rectangle.area();
-    let (mut integral, mut errors) = ([0.0; K], [0.0; 2]);
+    let (mut integral, mut errors, mut first_error) = ([0.0; K], [0.0; 2], 0.0);
     for k in 0..K {
         let (mut fine, mut coarse_x, mut coarse_y) = (0.0, 0.0, 0.0);
         for (row, x) in grid.iter().zip(&NODES) {
@@ -283,6 +234,9 @@ fn of_grid<const K: usize>(rectangle: &Rectangle, grid: &[[([f64; K], f64); 7]; 
         integral[k] = scale * fine;
         errors[0] += likely_error(scale * (fine - coarse_x), scale * variation);
         errors[1] += likely_error(scale * (fine - coarse_y), scale * variation);
+        if k == 0 {
+            first_error = errors[0] + errors[1];
+        }
     }
-    Piece::new(integral, errors)
+    Piece::new(integral, errors, first_error)
 }

@@ -7,7 +7,7 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::chart::Chart;
-use super::cubature::Witness;
+use super::failure::Witness;
 use super::partition::Partition;
 
 /// What was drawn.

@@ -5,15 +5,13 @@ use super::cubature::{Integrand, Piece, points};
 use super::partition::Rectangle;
 use super::rule::{NODES, nodes};
 
-/// Integrates along an axis, and says whether the lines are likely to show all
-/// of the edge; `most` is the largest value
-/// times the area.
+/// Integrates along an axis; `most` is the largest value times the area.
 pub fn integrate<const K: usize>(
     integrand: &mut Integrand<impl Fn([f64; 2]) -> ([f64; K], f64)>,
     rectangle: &Rectangle,
     axis: usize,
     most: f64,
-) -> (Piece<K>, bool) {
+) -> Piece<K> {
     let across = 1 - axis;
     let half = 0.5 * rectangle.width(across);
     let ends = [rectangle.from[axis], rectangle.to[axis]];
@@ -29,17 +27,17 @@ pub fn integrate<const K: usize>(
         errors[across] += (fine - coarse).abs();
     }
     errors[axis] = by_rule(half, lines.each_ref().map(|line| line.error)).0;
-    let mut piece = Piece::new(integral, errors);
+    let mut piece = Piece::new(integral, errors, errors[0] + errors[1]);
     // What lies between the outer lines and the sides is a fiftieth of each, and a strip may fall
     // between the points: where the lines lie inside, or outside, but for less than that, they may
     // have missed the edge that was seen elsewhere.
     let inside = by_rule(0.5, lines.each_ref().map(|line| line.inside)).0 / (ends[1] - ends[0]);
-    let seen = (0.02..=0.98).contains(&inside);
-    if !seen {
+    if !(0.02..=0.98).contains(&inside) {
         piece.axis = rectangle.longer();
         piece.errors[piece.axis] = piece.errors[piece.axis].max(0.02 * most);
+        piece.first_error = piece.errors[0] + piece.errors[1];
     }
-    (piece, seen)
+    piece
 }
 
 /// The sums of both rules.

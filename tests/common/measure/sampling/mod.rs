@@ -99,7 +99,7 @@ pub fn measure(double: &Model64, single: &Model32, wo: DVec3, seed: u64, size: S
     let [mass, moments @ ..] = density.total();
     let [first, second] = [([0, 1, 2], FIRST), ([3, 4, 5], SECOND)]
         .map(|(channels, scale)| DVec3::from(channels.map(|channel| moments[channel] / scale)));
-    let probabilities = density.integrals.iter().map(|cell| cell[0]).chain(failure.total());
+    let probabilities = density.integrals.iter().map(|cell| cell[0]).chain([failure.value]);
     let expected = Expected {
         probabilities: probabilities.collect(),
         albedo: first,
@@ -108,12 +108,12 @@ pub fn measure(double: &Model64, single: &Model32, wo: DVec3, seed: u64, size: S
     };
     Sampling {
         cells: cells.cells().len(),
-        mass: Integral { value: mass, error: density.error, evaluations: density.evaluations },
-        failure: Integral {
-            value: failure.total()[0],
-            error: failure.error,
-            evaluations: failure.evaluations,
+        mass: Integral {
+            value: mass,
+            error: density.first_error,
+            evaluations: density.evaluations,
         },
+        failure,
         albedo: first,
         own_albedo: double.albedo(wo),
         double: expected.compare(&draws, epsilon::<f64>()),
@@ -148,7 +148,7 @@ fn integrals(
     cells: &Partition,
     size: Size,
 ) -> Cubature<7> {
-    integrate(cells, &[], size.tolerance, size.budget, |place| {
+    integrate(cells, size.tolerance, size.budget, |place| {
         let (wi, area) = chart.direction(place);
         let pdf = model.pdf(wi, wo);
         let value = model.eval(wi, wo) * wi.z;
