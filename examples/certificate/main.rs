@@ -30,9 +30,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bar = ProgressBar::new(double.len().try_into()?).with_style(style);
     let pairs = row::Pairs::new();
     let mut rows = Vec::new();
-    for (single, double) in single.iter().zip(&double) {
+    for (index, (single, double)) in single.iter().zip(&double).enumerate() {
         bar.set_message(double.name);
-        rows.push(Row::measure(single, double, &pairs));
+        rows.push(Row::measure(index, single, double, &pairs));
         bar.inc(1);
     }
     bar.set_message("seeded bugs");

@@ -1,17 +1,24 @@
 //! What is measured of one model.
 
 use glam::{DVec3, Vec3};
+use rayon::prelude::*;
 
 use crate::common::directions::pairs_to_grazing;
 use crate::common::measure::energy::{Energy, energy};
 use crate::common::measure::precision::{Precision, Quantity, precision};
 use crate::common::measure::reciprocity::{Reciprocity, reciprocity};
+use crate::common::measure::sampling::{Sampling, Size, measure, viewers};
 use crate::common::models::Entry;
 
 /// Angles of the viewer for the albedo.
 pub(crate) const ANGLES: u32 = 48;
 /// Pairs of directions for reciprocity and precision.
 pub(crate) const PAIRS: usize = 100_000;
+
+/// Draws from each of some directions, in each precision, and the integrals that they are held
+/// against.
+pub(crate) const SIZE: Size =
+    Size { pilot: 16_000, draws: 1_000_000, tolerance: 5e-8, budget: 4_000_000 };
 
 pub(crate) struct Pairs {
     single: Vec<(Vec3, Vec3)>,
@@ -34,13 +41,21 @@ pub(crate) struct Row {
     pub(crate) reciprocity_f32: Reciprocity,
     pub(crate) reciprocity_f64: Reciprocity,
     pub(crate) precision: Precision,
+    /// From each direction of the viewer.
+    pub(crate) sampling: Vec<Sampling>,
     /// Seeded bugs in what the model computes, and how many of them the checks find.
     pub(crate) bugs: usize,
     pub(crate) found: usize,
 }
 
 impl Row {
-    pub(crate) fn measure(single: &Entry<f32>, double: &Entry<f64>, pairs: &Pairs) -> Self {
+    /// Of the entry at this place of the registry.
+    pub(crate) fn measure(
+        index: usize,
+        single: &Entry<f32>,
+        double: &Entry<f64>,
+        pairs: &Pairs,
+    ) -> Self {
         let path = double.type_name.split('<').next().unwrap_or_default();
         Self {
             name: double.name,
@@ -49,8 +64,40 @@ impl Row {
             reciprocity_f32: reciprocity(&*single.model, &pairs.single, f64::from(f32::EPSILON)),
             reciprocity_f64: reciprocity(&*double.model, &pairs.double, f64::EPSILON),
             precision: precision(Quantity::Eval, &*single.model, &*double.model, &pairs.single),
+            sampling: sampling(index, single, double),
             bugs: 0,
             found: 0,
         }
+    }
+}
+
+fn sampling(index: usize, single: &Entry<f32>, double: &Entry<f64>) -> Vec<Sampling> {
+    let viewers = viewers::all();
+    let first = index * viewers.len();
+    viewers
+        .into_par_iter()
+        .enumerate()
+        .map(|(viewer, (_, wo))| {
+            measure(&*double.model, &*single.model, wo, (first + viewer) as u64, SIZE)
+        })
+        .collect()
+}
+
+impl Row {
+    /// The largest |∫ pdf dω + P(no direction) − 1|.
+    pub(crate) fn mass_error(&self) -> f64 {
+        self.sampling.iter().map(|seen| seen.excess().abs()).fold(0.0, f64::max)
+    }
+
+    /// The least probability of a χ² as large, over directions and precisions.
+    pub(crate) fn p_value(&self) -> f64 {
+        let both = |seen: &Sampling| seen.double.verdict.p_value.min(seen.single.verdict.p_value);
+        self.sampling.iter().map(both).fold(1.0, f64::min)
+    }
+
+    /// How far weights are from eval · cosθ/pdf, in units in the last place.
+    pub(crate) fn weight_ulps(&self) -> f64 {
+        let both = |seen: &Sampling| seen.double.weight_ulps.max(seen.single.weight_ulps);
+        self.sampling.iter().map(both).fold(0.0, f64::max)
     }
 }
