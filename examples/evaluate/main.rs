@@ -1,8 +1,9 @@
 //! What does a model give here? Questions in, answers out, one line of JSON each.
 //!
 //! ```sh
-//! cargo run --release --example evaluate -- examples/evaluate/questions.jsonl
-//! echo '{"fresnel": {"metal": "Au"}, "cos": 0.5}' | cargo run --release --example evaluate
+//! cargo run --release --features serde --example evaluate -- examples/evaluate/questions.jsonl
+//! echo '{"fresnel": {"metal": "Au"}, "cos": 0.5}' |
+//!     cargo run --release --features serde --example evaluate
 //! ```
 //!
 //! | question | answer |

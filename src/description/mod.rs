@@ -1,8 +1,11 @@
 //! Models as data: a scene file names a model and its parameters, and [`build`] makes the model.
 //!
 //! [`BrdfDescription`], [`FresnelDescription`] and [`DistributionDescription`] can be read from and
-//! written to every format of serde that names its keys: JSON, RON, CBOR, … They are
-//! externally tagged, in snake case. A colour C is `0.5` or `[r, g, b]`; a roughness R is `0.3` or
+//! written to every format of serde that describes itself and names its keys: JSON, RON, TOML, CBOR,
+//! MessagePack with named fields. Formats without keys, as postcard and MessagePack's default, can
+//! write them but not read them. YAML writes the name of a form as a tag: `!lambert {albedo: 0.5}`.
+//!
+//! The forms are externally tagged, in snake case. A colour C is `0.5` or `[r, g, b]`; a roughness R is `0.3` or
 //! `[along_x, along_y]`. Where a value is shown for a key, the key may be left out and has that
 //! value. Ranges are those of the type with the same name.
 //!
@@ -56,6 +59,9 @@
 //! );
 //! ```
 //!
+//! The place is counted from the description: where that is a part of a structure of your own, the
+//! path does not contain the keys that lead to it.
+//!
 //! Numbers are as exact as the format: `serde_json` reads every `f64` that it has written with its
 //! feature `float_roundtrip`, and without it may be one unit in the last place off.
 //!
@@ -63,7 +69,8 @@
 //! At most [`MAX_DEPTH`] sums and mixtures stand inside each other, and all of them together have
 //! at most [`MAX_TERMS`] terms; a description beyond that is an error before it is read further.
 //! So a file from an unknown source can neither overflow the stack nor fill the memory, in any
-//! format, and the cost of a model stays bounded.
+//! format, and the cost of a model stays bounded. A format may have a narrower bound of its own: RON
+//! stops at a depth of about 20 unless its option `recursion_limit` is raised.
 //!
 //! # Cost
 //! What is built is an object: one dispatch per call. Behind it distribution, Fresnel term and

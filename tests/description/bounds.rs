@@ -137,3 +137,20 @@ fn a_name_is_read_as_it_was_written() {
     let read: FresnelDescription = serde_json::from_str(&text).expect("it can be read");
     assert_eq!(read, description);
 }
+
+/// RON has a bound of its own, which its options lift.
+#[test]
+fn ron_needs_its_own_bound_lifted() {
+    let nested = |depth: usize| {
+        let open = "sum([(weight: 1, brdf: ".repeat(depth);
+        format!("{open}lambert(albedo: 0.5){}", ")])".repeat(depth))
+    };
+    ron::from_str::<BrdfDescription>(&nested(20)).expect("within RON's bound");
+    let deepest = nested(MAX_DEPTH);
+    let error = ron::from_str::<BrdfDescription>(&deepest).expect_err("beyond it").to_string();
+    assert!(error.contains("recursion_limit"), "{error}");
+    let unbounded = ron::Options::default().without_recursion_limit();
+    unbounded.from_str::<BrdfDescription>(&deepest).expect("deep enough");
+    let error = unbounded.from_str::<BrdfDescription>(&nested(MAX_DEPTH + 1));
+    assert!(error.expect_err("too deep").to_string().contains("at most 32 sums"));
+}

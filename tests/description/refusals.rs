@@ -270,6 +270,22 @@ fn unknown_metals_are_named() {
     );
 }
 
+/// The place begins at the description, also where that is a part of something else.
+#[test]
+fn places_are_counted_from_the_description() {
+    #[derive(Debug, serde::Deserialize)]
+    struct Object {
+        #[serde(rename = "surface")]
+        _surface: BrdfDescription,
+    }
+    let text = r#"{"surface": {"lambert": {"albedo": 2}}}"#;
+    let error = serde_json::from_str::<Object>(text).expect_err(text).to_string();
+    assert!(
+        error.starts_with("lambert.albedo must be between 0 and 1, not 2 at line 1"),
+        "{error}"
+    );
+}
+
 /// Formats that have numbers which JSON does not have.
 #[test]
 fn numbers_that_are_none_are_out_of_range() {
