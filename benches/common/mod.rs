@@ -1,6 +1,9 @@
 //! Varied inputs for all benches.
 #![allow(dead_code, unreachable_pub, reason = "each bench uses its own part")]
 
+pub mod by_hand;
+pub mod planes;
+
 use glam::{DVec3, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;

@@ -49,11 +49,14 @@ pub(crate) fn density<T: Real, D: Distribution<T> + ?Sized>(
     })
 }
 
+/// Reflectances of a block of cosines.
+type ReflectanceBlock<'a, T, C> = &'a dyn Fn(InstructionSet, &Plane<T>, &mut Values<T, C>);
+
 #[inline(never)]
 fn over_numbers<T: Real, C: Color<T>>(
     cos_theta: &[T],
     mut values: ColorBuffer<'_, T, C>,
-    block: &dyn Fn(InstructionSet, &Plane<T>, &mut Values<T, C>),
+    block: ReflectanceBlock<'_, T, C>,
 ) -> Result<(), BatchError> {
     let length = values.length(["values", "values[0]", "values[1]", "values[2]"])?;
     length.check("cos_theta", cos_theta.len())?;
@@ -80,11 +83,14 @@ fn over_numbers<T: Real, C: Color<T>>(
     Ok(())
 }
 
+/// Densities of a block of normals.
+type DensityBlock<'a, T> = &'a dyn Fn(InstructionSet, Components<'_, T>, &mut Plane<T>);
+
 #[inline(never)]
 fn over_directions<T: Real>(
     h: Directions<'_, T>,
     densities: &mut [T],
-    block: &dyn Fn(InstructionSet, Components<'_, T>, &mut Plane<T>),
+    block: DensityBlock<'_, T>,
 ) -> Result<(), BatchError> {
     let length = Length::of("densities", densities.len());
     h.check(&length, ["h", "h.x", "h.y", "h.z"])?;
