@@ -191,7 +191,9 @@ fn metal<T: Real>(name: &str) -> Result<Conductor<T::Vec3>, Problem> {
 
     let material = find(name).map_err(|error| {
         let error = match error {
-            LookupError::Unknown { name } => LookupError::Unknown { name: beginning(&name) },
+            LookupError::Unknown { name, nearest } => {
+                LookupError::Unknown { name: beginning(&name), nearest }
+            }
             ambiguous => ambiguous,
         };
         Problem::Metal(error.to_string())

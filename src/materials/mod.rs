@@ -35,8 +35,9 @@
 //!
 //! # Second opinions
 //! Measurements of one metal differ by how it was made, polished and oxidised. Where the
-//! collection holds two sets, the symbol and the plain name mean one of them, and its
-//! documentation says whose it is; the other has a name of its own. [`GOLD`] is Johnson and
+//! collection holds two sets, of a metal or of a transparent medium, the key without an author and
+//! the plain name mean one of them, and its documentation says whose it is; the other has the
+//! author in its key. The rays of a crystal are no opinions. [`GOLD`] is Johnson and
 //! Christy 1972, [`GOLD_MCPEAK_2015`] an evaporated film that reflects more red and green.
 //! [`Material::alternatives`] lists them.
 //!

@@ -2,6 +2,7 @@
 
 use std::collections::HashSet;
 
+use crate::tables::path;
 use brdf::materials::{self, ALL, Form, GOLD, GOLD_MCPEAK_2015, Kind, LookupError, Material, find};
 
 fn keys<'a>(materials: impl IntoIterator<Item = &'a Material>) -> Vec<&'static str> {
@@ -40,14 +41,19 @@ fn short_names_mean_one_material_or_say_which() {
         ("Aluminium", "Al"),
         ("water", "water"),
         ("diamond", "diamond"),
+        ("acrylic", "PMMA"),
+        ("N-BK7", "BK7"),
+        ("electrum", "electrum_Au50Ag50"),
+        ("soda-lime", "soda_lime"),
+        ("Silica", "fused_silica"),
+        ("HALITE", "NaCl"),
+        ("steel", "stainless_steel"),
     ] {
         assert_eq!(find(name).map(Material::key).ok(), Some(key), "{name}");
     }
-    for (name, want) in [
-        ("Quartz", ["quartz_o", "quartz_e"].as_slice()),
-        ("acrylic", &["PMMA", "PMMA_sultanova"]),
-        ("calcite", &["calcite_o", "calcite_e"]),
-    ] {
+    for (name, want) in
+        [("Quartz", ["quartz_o", "quartz_e"].as_slice()), ("calcite", &["calcite_o", "calcite_e"])]
+    {
         match find(name) {
             Err(LookupError::Ambiguous { name: got, candidates }) => {
                 assert_eq!((got.as_str(), keys(candidates).as_slice()), (name, want));
@@ -61,11 +67,79 @@ fn short_names_mean_one_material_or_say_which() {
 fn what_is_not_there_is_not_found() {
     for name in ["", " ", "Xx", "gol", "golden", "Au_", "(", ",", "\0", "ＡＵ", "Gold ("] {
         match find(name) {
-            Err(LookupError::Unknown { name: got }) => assert_eq!(got, name.trim()),
+            Err(LookupError::Unknown { name: got, .. }) => assert_eq!(got, name.trim()),
             other => panic!("{name:?}: {other:?}"),
         }
     }
     assert_eq!(find("unobtanium").unwrap_err().to_string(), "no material is called \"unobtanium\"");
+}
+
+#[test]
+fn near_names_are_suggested() {
+    for (name, near) in [
+        ("TiO2", ["TiO2_o", "TiO2_e", "TiO2_film"].as_slice()),
+        ("golden", &["Au", "Au_mcpeak"]),
+        ("coper", &["Cu", "Cu_mcpeak"]),
+        ("Titanum", &["Ti", "Ti_rakic"]),
+        ("window", &["soda_lime"]),
+        ("stainles steel", &["stainless_steel"]),
+        ("C", &[]),
+        ("Xx", &[]),
+        ("unobtanium", &[]),
+    ] {
+        match find(name) {
+            Err(LookupError::Unknown { nearest, .. }) => {
+                assert_eq!(keys(nearest), near, "{name}");
+            }
+            other => panic!("{name}: {other:?}"),
+        }
+    }
+    assert_eq!(
+        find("TiO2").unwrap_err().to_string(),
+        "no material is called \"TiO2\"; near it are TiO2_o, TiO2_e, TiO2_film"
+    );
+    // Long texts are compared with nothing.
+    assert!(find(&"gold".repeat(1_000_000)).is_err());
+}
+
+/// The other names are those of the documentation, and hide no name.
+#[test]
+fn other_names_are_documented() {
+    let source = std::fs::read_to_string(path("src/materials/lookup.rs")).expect("is there");
+    let mut count = 0;
+    let rows = source.lines().filter_map(|line| line.strip_prefix("/// | ")).skip(1);
+    for (names, key) in rows.filter_map(|row| row.split_once(" | ")) {
+        for name in names.split(", ") {
+            assert_eq!(find(name).expect(name).key(), key.trim_matches(['`', ' ', '|']), "{name}");
+            assert!(ALL.iter().all(|one| one.key() != name && one.name() != name), "{name}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 12);
+}
+
+/// One rule for metals and for transparent media: the key with an author is the second opinion.
+#[test]
+fn second_opinions_are_listed_from_both_sides() {
+    let mut pairs = 0;
+    for material in ALL {
+        let others = keys(material.alternatives());
+        match material.key() {
+            "Ag" | "Al" | "Au" | "Cu" | "Mo" | "Pt" | "Cr" | "Ti" | "W" | "water" | "diamond"
+            | "PMMA" | "polycarbonate" | "polystyrene" => {
+                assert_eq!(others.len(), 1, "{material}");
+                assert!(others[0].starts_with(&format!("{}_", material.key())));
+                assert_eq!(keys(find(others[0]).expect("a key").alternatives()), [material.key()]);
+                pairs += 1;
+            }
+            "quartz_o" | "quartz_e" | "TiO2_o" | "TiO2_film" | "soda_lime" | "Zn" => {
+                assert!(others.is_empty(), "{material}: {others:?}");
+            }
+            _ => assert!(others.len() < 2, "{material}: {others:?}"),
+        }
+    }
+    let listed: usize = ALL.iter().map(|one| one.alternatives().count()).sum();
+    assert_eq!((pairs, listed), (14, 28));
 }
 
 #[test]
