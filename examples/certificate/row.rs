@@ -18,7 +18,7 @@ pub(crate) const PAIRS: usize = 100_000;
 /// Draws from each of some directions, in each precision, and the integrals that they are held
 /// against.
 pub(crate) const SIZE: Size =
-    Size { pilot: 16_000, draws: 1_000_000, tolerance: 5e-8, budget: 4_000_000 };
+    Size { pilot: 16_000, draws: 1_000_000, tolerance: 1.5e-7, budget: 600_000 };
 
 pub(crate) struct Pairs {
     single: Vec<(Vec3, Vec3)>,

@@ -41,9 +41,9 @@ pub(super) static MUTANTS: [Mutant; 18] = [
     Mutant::new("weighted sum", "density without the probability of the term", SUM,
         "sum + ▸term.probability * term.model.pdf(wi, wo)", Mul, RIGHT),
     Mutant::new("weighted sum", "u₀ used again without taking off the start of the term", SUM,
-        "let stretched = ▸(u[0] - start)", Sub, LEFT),
+        "let stretched = ▸(u - start)", Sub, LEFT),
     Mutant::new("weighted sum", "u₀ used again without being stretched", SUM,
-        "let stretched = ▸(u[0] - start) / T::select", Div, LEFT),
+        "let stretched = ▸(u - start) / T::select", Div, LEFT),
     Mutant::new("weighted sum", "probabilities do not add up to 1", SUM,
         "term.probability = ▸term.probability / total;", Div, LEFT),
 ];

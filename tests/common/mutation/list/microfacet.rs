@@ -10,7 +10,7 @@ use crate::common::faulty::Operation::{
 const BECKMANN: &str = "src/microfacet/beckmann.rs";
 const BLINN: &str = "src/microfacet/blinn.rs";
 const BLINN_1977: &str = "src/microfacet/blinn_1977.rs";
-const COOK_TORRANCE: &str = "src/microfacet/cook_torrance.rs";
+const FACETS: &str = "src/microfacet/facets.rs";
 const GAUSSIAN: &str = "src/microfacet/gaussian.rs";
 const TILTS: &str = "src/microfacet/gaussian_tilts.rs";
 const GGX: &str = "src/microfacet/ggx.rs";
@@ -92,8 +92,8 @@ pub(super) static MUTANTS: [Mutant; 37] = [
         "(pair.cos_i * pair.cos_o + ▸(hidden_i + hidden_o))", Add, LEFT),
     Mutant::new("Smith", "the larger of Λ and the rest, not the sum", SMITH,
         "▸(pair.cos_i * pair.cos_o + (hidden_i + hidden_o))", Add, |left, right, _| left.max(right)),
-    Mutant::new("Cook–Torrance", "Fresnel's term at the angle between L and V", COOK_TORRANCE,
-        "self.fresnel.reflectance(pair.cos_d.▸min(T::lit(1.0)))", Min,
+    Mutant::new("Cook–Torrance", "Fresnel's term at the angle between L and V", FACETS,
+        "    pair.cos_d.▸min(T::lit(1.0))", Min,
         |left, _, _| (2.0 * left * left - 1.0).abs()),
     Mutant::new("Cook–Torrance", "π for the 4 by which the print of 1982 is too bright", HISTORICAL,
         "scaled(self.model.eval(wi, wo), ▸T::lit(4.0))", Literal, |_, _, _| PI),
