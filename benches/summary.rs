@@ -1,7 +1,7 @@
 //! The table of the README: `cargo bench --bench summary`.
 //!
 //! Nanoseconds per pair of directions, median of five runs, each run as long as it takes to be
-//! measured well; all cells of a row within seconds of each other. Structure of arrays, 4096 pairs.
+//! measured well; all cells of a row within seconds of each other. Structure of arrays, 4096 pairs; for all cores 2²⁰.
 
 mod common;
 
@@ -23,8 +23,15 @@ const F0: Vec3 = Vec3::new(1.0, 0.78, 0.34);
 const ETA: Vec3 = Vec3::new(0.143, 0.374, 1.442);
 const K: Vec3 = Vec3::new(3.983, 2.386, 1.603);
 
+/// Pairs for all cores together: many times what one core does at once.
+const MANY: usize = 1 << 20;
+
 /// Nanoseconds per element: the median of five runs of at least 50 ms.
-fn time(mut work: impl FnMut()) -> f64 {
+fn time(work: impl FnMut()) -> f64 {
+    time_of(COUNT, work)
+}
+
+fn time_of(count: usize, mut work: impl FnMut()) -> f64 {
     work();
     let mut rounds = 1_u32;
     let mut run = || loop {
@@ -34,7 +41,7 @@ fn time(mut work: impl FnMut()) -> f64 {
         }
         let elapsed = start.elapsed();
         if elapsed >= Duration::from_millis(50) {
-            break elapsed.as_secs_f64() * 1e9 / f64::from(rounds) / COUNT as f64;
+            break elapsed.as_secs_f64() * 1e9 / f64::from(rounds) / count as f64;
         }
         rounds *= 2;
     };
@@ -62,8 +69,10 @@ fn eval(
         let (wi, wo, values) = black_box(&mut *planes).eval();
         model.eval_batch(wi, wo, values).expect("the lengths agree");
     });
-    let cores = time(|| {
-        let (wi, wo, values) = black_box(&mut *planes).eval();
+    let many: Vec<_> = pairs().into_iter().cycle().take(MANY).collect();
+    let mut many = Planes::new(&many, &uniforms());
+    let cores = time_of(MANY, || {
+        let (wi, wo, values) = black_box(&mut many).eval();
         parallel::eval(model, wi, wo, values).expect("the lengths agree");
     });
     row(&format!("{what}: `eval`"), Some(by_hand), calls, batch, Some(cores));

@@ -144,6 +144,12 @@ impl<T: Real> Smith<T> for MixedSmith<T> {
     }
 
     #[inline]
+    fn projected_area(&self, w: T::Vec3) -> T {
+        let start = sum(T::lit(0.0), &self.beckmann, |each| each.projected_area(w));
+        sum(start, &self.ggx, |each| each.projected_area(w)).min(T::max_finite())
+    }
+
+    #[inline]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let (visible, mut choice) = (Visible::new(wo, self.lambda_cos(wo)), Choice::new(u));
         for (weight, each) in &self.beckmann {

@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 
 use crate::batch::{self, BatchError, Directions};
-use crate::real::Real;
+use crate::real::{Real, Vector};
 
 /// A distribution of facet normals, D(h) in sr⁻¹, normalised to ∫ D(h) (N·h) dω_h = 1.
 ///
@@ -34,6 +34,13 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     /// Λ(w) cosθ of a direction above the surface: what Smith's Λ (the ratio of hidden to visible
     /// projected facet area) becomes when multiplied by N·w. Stays finite at grazing.
     fn lambda_cos(&self, w: T::Vec3) -> T;
+
+    /// (1 + 2Λ(w)) cosθ of a direction above the surface: the projected area of all facets, those
+    /// that face `w` and those that face away, ∫ |w·h| D(h) dω.
+    #[inline(always)]
+    fn projected_area(&self, w: T::Vec3) -> T {
+        w.z().max(T::lit(0.0)) + T::lit(2.0) * self.lambda_cos(w)
+    }
 
     /// Draws `h` with the density of the normals visible from `wo`, G₁(wo) (wo·h) D(h) / (N·wo),
     /// from two uniform numbers in [0, 1), taken as by [`Brdf::sample`](crate::Brdf::sample). It is
@@ -66,6 +73,10 @@ macro_rules! forward {
             #[inline(always)]
             fn lambda_cos(&self, w: T::Vec3) -> T {
                 (**self).lambda_cos(w)
+            }
+            #[inline(always)]
+            fn projected_area(&self, w: T::Vec3) -> T {
+                (**self).projected_area(w)
             }
             #[inline(always)]
             fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {

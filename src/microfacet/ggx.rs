@@ -109,6 +109,13 @@ impl<T: Real> Smith<T> for Ggx<T> {
     }
 
     #[inline(always)]
+    fn projected_area(&self, w: T::Vec3) -> T {
+        // That of the ellipsoid, without the quotient of Λ.
+        let cos = w.z().max(T::lit(0.0));
+        (cos.squared() + self.roughness.spread_squared(w)).min(T::max_finite()).sqrt()
+    }
+
+    #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let ([turn, u], one) = (uniform(u), T::lit(1.0));
         let s = self.roughness.stretch(wo);

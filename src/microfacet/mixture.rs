@@ -172,6 +172,11 @@ impl<T: Real, D: Smith<T>, const N: usize> Smith<T> for Mixture<T, D, N> {
     }
 
     #[inline(always)]
+    fn projected_area(&self, w: T::Vec3) -> T {
+        self.sum(|distribution| distribution.projected_area(w)).min(T::max_finite())
+    }
+
+    #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let (visible, mut choice) = (Visible::new(wo, self.lambda_cos(wo)), Choice::new(u));
         for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {

@@ -11,8 +11,14 @@ use crate::real::{Real, lift};
 /// G₁(w) = 1/(1 + Λ(w))
 /// ```
 ///
-/// Λ belongs to the distribution, [`Smith::lambda_cos`]; written with Λ(w) N·w, which is finite at
-/// grazing, G/(4 (N·wi)(N·wo)) is one quotient. Symmetric in `wi` and `wo`, to the last bit. The
+/// Λ belongs to the distribution; written with [`Smith::projected_area`], A(w) = (1 + 2Λ(w)) N·w,
+/// which is finite at grazing,
+///
+/// ```text
+/// G/(4 (N·wi)(N·wo)) = 1/(2 (A(wi) N·wo + A(wo) N·wi))
+/// ```
+///
+/// is one quotient. Symmetric in `wi` and `wo`, to the last bit. The
 /// visible facets fill the projected area, ∫ G₁ (w·h)₊ D dω = N·w. Never less than
 /// [`SmithSeparable`].
 ///
@@ -65,9 +71,8 @@ lift!(SmithSeparable);
 impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
     #[inline(always)]
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
-        let hidden_i = distribution.lambda_cos(pair.wi) * pair.cos_o;
-        let hidden_o = distribution.lambda_cos(pair.wo) * pair.cos_i;
-        (T::lit(0.25) / (pair.cos_i * pair.cos_o + (hidden_i + hidden_o))).min(T::max_finite())
+        let [area_i, area_o] = areas(distribution, pair);
+        (T::lit(0.5) / (pair.cos_o * area_i + pair.cos_i * area_o)).min(T::max_finite())
     }
 
     #[inline(always)]
@@ -77,8 +82,10 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
 
     #[inline(always)]
     fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
-        let unmasked = pair.cos_o / (pair.cos_o + distribution.lambda_cos(pair.wo));
-        pair.cos_i / (pair.cos_i + distribution.lambda_cos(pair.wi) * unmasked)
+        let [area_i, area_o] = areas(distribution, pair);
+        let seen = pair.cos_o * area_i + pair.cos_i * area_o;
+        // At most 1, but for rounding.
+        (pair.cos_i * (pair.cos_o + area_o) / seen).min(T::lit(1.0))
     }
 
     #[inline(always)]
@@ -90,9 +97,9 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
 impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
     #[inline(always)]
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
-        let seen_i = pair.cos_i + distribution.lambda_cos(pair.wi);
-        let seen_o = pair.cos_o + distribution.lambda_cos(pair.wo);
-        (T::lit(0.25) / (seen_i * seen_o)).min(T::max_finite())
+        let [area_i, area_o] = areas(distribution, pair);
+        let seen_twice = (pair.cos_i + area_i, pair.cos_o + area_o);
+        (T::lit(1.0) / (seen_twice.0 * seen_twice.1)).min(T::max_finite())
     }
 
     #[inline(always)]
@@ -102,7 +109,9 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
 
     #[inline(always)]
     fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
-        pair.cos_i / (pair.cos_i + distribution.lambda_cos(pair.wi))
+        // At most 1, but for rounding.
+        let seen_twice = pair.cos_i + distribution.projected_area(pair.wi);
+        (T::lit(2.0) * pair.cos_i / seen_twice).min(T::lit(1.0))
     }
 
     #[inline(always)]
@@ -111,8 +120,14 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
     }
 }
 
-/// G₁/(4 N·wo) = 1/(4 (N·wo + Λ N·wo)).
+/// A(wi) and A(wo) with A(w) = (1 + 2Λ(w)) N·w.
+#[inline(always)]
+fn areas<T: Real>(distribution: &impl Smith<T>, pair: &Pair<T>) -> [T; 2] {
+    [distribution.projected_area(pair.wi), distribution.projected_area(pair.wo)]
+}
+
+/// G₁/(4 N·wo) = 1/(2 (N·wo + A(wo))).
 #[inline(always)]
 fn masking<T: Real>(distribution: &impl Smith<T>, pair: &Pair<T>) -> T {
-    (T::lit(0.25) / (pair.cos_o + distribution.lambda_cos(pair.wo))).min(T::max_finite())
+    (T::lit(0.5) / (pair.cos_o + distribution.projected_area(pair.wo))).min(T::max_finite())
 }
