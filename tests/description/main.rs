@@ -7,4 +7,3 @@ mod bounds;
 mod build;
 mod forms;
 mod refusals;
-mod registry;

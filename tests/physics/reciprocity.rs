@@ -1,10 +1,8 @@
 //! f(wi, wo) = f(wo, wi) to the last bit, or not at all.
 
-mod common;
-
-use common::directions::{pairs_to_grazing, pairs_to_power};
-use common::measure::reciprocity::reciprocity;
-use common::models;
+use crate::common::directions::{pairs_to_grazing, pairs_to_power};
+use crate::common::measure::reciprocity::reciprocity;
+use crate::common::models;
 use glam::{DVec3, Vec3};
 
 macro_rules! reciprocity {

@@ -3,7 +3,7 @@
 use brdf::colorimetry::{clamp_to_srgb, linear_srgb_to_xyz, xyz_to_linear_srgb};
 use brdf::quadrature::{integrate, mean_over_square};
 use brdf::{Illuminant, Observer, Spectrum};
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
 use super::inputs::NUMBERS;
 
@@ -34,8 +34,7 @@ fn observers_of_odd_wavelengths() {
     }
     let one = Observer::<f32, 1>::new(Illuminant::A, [600.0]).unwrap();
     assert!((one.xyz(Spectrum([0.5])).y - 0.5).abs() < 1e-6);
-    let none = Observer::<f32, 0>::new(Illuminant::A, []).unwrap();
-    assert_eq!(none.linear_srgb(Spectrum([])), Vec3::ZERO);
+    assert!(Observer::<f32, 0>::new(Illuminant::A, []).is_err());
 }
 
 #[test]

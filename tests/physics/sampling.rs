@@ -1,14 +1,12 @@
 //! The samples of every model, from every direction, in both precisions.
 
-mod common;
-
 use std::sync::LazyLock;
 
+use crate::common::measure::sampling::chi_squared::least_of;
+use crate::common::measure::sampling::viewers;
+use crate::common::measure::sampling::{Samples, Sampling, Size, measure};
+use crate::common::models;
 use brdf::{Brdf, Color, Constant, CookTorrance, Ggx, Real, Sample, SmithCorrelated};
-use common::measure::sampling::chi_squared::least_of;
-use common::measure::sampling::viewers;
-use common::measure::sampling::{Samples, Sampling, Size, measure};
-use common::models;
 use rayon::prelude::*;
 
 /// Small enough for every day.
@@ -116,7 +114,7 @@ fn albedo_is_the_integral() {
     });
 }
 
-/// All figures, for those who want to see them: `cargo test --test sampling -- --ignored figures`.
+/// All figures, for those who want to see them: `cargo test --test physics -- --ignored figures`.
 #[test]
 #[ignore = "prints only"]
 fn figures() {

@@ -1,8 +1,5 @@
 //! No NaN, no infinity, nothing negative and no panic, whatever the input.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod colors;
 mod geometry;
 mod inputs;

@@ -1,18 +1,16 @@
 //! The directional albedo of every model under test, by cubature of its `eval`.
 
-mod common;
-
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::common::distributions::{with_smith, without_smith};
+use crate::common::measure::Model64;
+use crate::common::measure::energy::{albedo, angles, energy};
+use crate::common::models;
 use approx::assert_relative_eq;
 use brdf::{
     BlinnPhong, Constant, CookTorrance, OrenNayar, Phong, SchlickPower, SmithCorrelated,
     SmithSeparable, from_spherical,
 };
-use common::distributions::{with_smith, without_smith};
-use common::measure::Model64;
-use common::measure::energy::{albedo, angles, energy};
-use common::models;
 use glam::DVec3;
 use rayon::prelude::*;
 

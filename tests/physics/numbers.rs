@@ -1,11 +1,9 @@
 //! Each formula runs on every kind of number, and says the same on all of them.
 
-mod common;
-
+use crate::common::directions::{pairs, pairs_to_grazing};
+use crate::common::models;
+use crate::common::traced::{Traced, trace};
 use brdf::{Lanes, Vector3};
-use common::directions::{pairs, pairs_to_grazing};
-use common::models;
-use common::traced::{Traced, trace};
 use glam::{DVec3, Vec3};
 
 const N: usize = 4;

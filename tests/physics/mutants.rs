@@ -1,11 +1,9 @@
 //! Bugs seeded on purpose, one at a time: the checks find every one.
 
-mod common;
-
-use common::models;
-use common::mutation::list::mutants;
-use common::mutation::mutant::{run, table};
-use common::mutation::suite::Suite;
+use crate::common::models;
+use crate::common::mutation::list::mutants;
+use crate::common::mutation::mutant::{run, table};
+use crate::common::mutation::suite::Suite;
 
 /// Otherwise a rejected mutant would say nothing.
 #[test]

@@ -1,10 +1,8 @@
 //! `f32` against `f64` on the same inputs: how many digits single precision keeps.
 
-mod common;
-
-use common::directions::pairs_to_grazing;
-use common::measure::precision::{Quantity, precision};
-use common::models;
+use crate::common::directions::pairs_to_grazing;
+use crate::common::measure::precision::{Quantity, precision};
+use crate::common::models;
 use glam::Vec3;
 
 /// Every model over the whole hemisphere, from the centre of its lobe to where it underflows,

@@ -1,11 +1,9 @@
 //! No public model is missing from the registry.
 
-mod common;
-
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use common::models;
+use crate::common::models;
 
 /// The types of the crate that implement a trait over numbers, read from the sources. Descriptions
 /// build models of these types and are tested to equal them.

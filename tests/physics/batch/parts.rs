@@ -5,7 +5,7 @@ use brdf::{Beckmann, Blinn, Conductor, Cook, Dielectric, Distribution, Fresnel};
 use brdf::{Gaussian, Ggx, Hall, Schlick};
 use glam::Vec3;
 
-use crate::bits::SELECTION;
+use super::bits::SELECTION;
 use crate::common::directions::pairs;
 
 #[test]
