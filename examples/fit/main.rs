@@ -16,16 +16,20 @@ mod curves;
 mod figure;
 #[path = "../../tests/common/fits/mod.rs"]
 mod fits;
+#[path = "../materials/folder.rs"]
+mod folder;
 
 use std::error::Error;
-use std::path::PathBuf;
 use std::{env, fs};
 
 use fits::family::Family;
 use indicatif::{ProgressBar, ProgressStyle};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = folder(env::args().skip(1))?;
+    let about = "Fits models to measured materials and draws them beside the measurements.";
+    let Some(folder) = folder::folder(env::args().skip(1), about, "gallery/fits")? else {
+        return Ok(());
+    };
     fs::create_dir_all(&folder)?;
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} fits {elapsed}")?;
     let count = fits::measured::TITLES.len() * Family::ALL.len();
@@ -42,16 +46,4 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     println!("\n{} figures in {}", figures.len(), folder.display());
     Ok(())
-}
-
-/// The folder after `--out`, or `gallery/fits`.
-fn folder(mut arguments: impl Iterator<Item = String>) -> Result<PathBuf, String> {
-    let mut folder = PathBuf::from("gallery/fits");
-    while let Some(argument) = arguments.next() {
-        match (argument.as_str(), arguments.next()) {
-            ("--out", Some(value)) => folder = value.into(),
-            _ => return Err(format!("{argument}: the only option is --out FOLDER")),
-        }
-    }
-    Ok(folder)
 }

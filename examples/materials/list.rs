@@ -1,14 +1,19 @@
 //! The materials as text.
 
 use brdf::colorimetry::WAVELENGTHS;
-use brdf::materials::ALL;
+use brdf::materials::{ALL, Material};
 use brdf::{Fresnel, Illuminant, Observer, ParameterError, Spectrum};
 
 /// One line for each material, then the notes.
 pub fn print() -> Result<(), ParameterError> {
     let observer = Observer::new(Illuminant::D65, WAVELENGTHS)?;
+    // Two blanks behind the longest.
+    let width = |text: fn(&Material) -> &'static str| {
+        ALL.into_iter().map(|material| text(material).chars().count()).max().unwrap_or(0) + 2
+    };
+    let (keys, names) = (width(Material::key), width(Material::name));
     println!(
-        "{:<24}{:<36}{:<15}{:>17}{:>9}   linear sRGB at normal incidence, D65",
+        "{:<keys$}{:<names$}{:<15}{:>17}{:>9}   linear sRGB at normal incidence, D65",
         "key", "name", "kind", "range in nm", "samples"
     );
     for material in ALL {
@@ -21,7 +26,7 @@ pub fn print() -> Result<(), ParameterError> {
         );
         let (lower, upper) = material.range().into_inner();
         println!(
-            "{:<24}{:<36}{:<15}{:>17}{:>9}   {color}",
+            "{:<keys$}{:<names$}{:<15}{:>17}{:>9}   {color}",
             material.key(),
             material.name(),
             material.kind(),

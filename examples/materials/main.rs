@@ -12,18 +12,21 @@ mod comparisons;
 mod curves;
 #[allow(dead_code, reason = "marks that only the fits need")]
 mod figure;
+mod folder;
 mod list;
 mod shortcut;
 
 use std::error::Error;
-use std::path::PathBuf;
 use std::{env, fs};
 
 use brdf::materials::ALL;
 use indicatif::{ProgressBar, ProgressStyle};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = folder(env::args().skip(1))?;
+    let about = "Lists the measured materials and draws their curves.";
+    let Some(folder) = folder::folder(env::args().skip(1), about, "gallery/materials")? else {
+        return Ok(());
+    };
     fs::create_dir_all(&folder)?;
     list::print()?;
 
@@ -42,16 +45,4 @@ fn main() -> Result<(), Box<dyn Error>> {
     bar.finish_and_clear();
     println!("\n{} figures in {}", figures.len(), folder.display());
     Ok(())
-}
-
-/// The folder after `--out`, or `gallery/materials`.
-fn folder(mut arguments: impl Iterator<Item = String>) -> Result<PathBuf, String> {
-    let mut folder = PathBuf::from("gallery/materials");
-    while let Some(argument) = arguments.next() {
-        match (argument.as_str(), arguments.next()) {
-            ("--out", Some(value)) => folder = value.into(),
-            _ => return Err(format!("{argument}: the only option is --out FOLDER")),
-        }
-    }
-    Ok(folder)
 }
