@@ -2,7 +2,7 @@
 
 use super::tables::{A, COLOR_MATCHING, D65, WAVELENGTHS};
 
-/// A CIE standard illuminant.
+/// A light: the CIE's standard illuminants D65 and A, and equal energy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Illuminant {
@@ -10,7 +10,8 @@ pub enum Illuminant {
     D65,
     /// A tungsten lamp, 2856 K.
     A,
-    /// Equal power at all wavelengths.
+    /// Equal power at all wavelengths: the CIE's equal-energy spectrum, which is no standard
+    /// illuminant.
     E,
 }
 

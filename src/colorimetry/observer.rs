@@ -42,6 +42,11 @@ const BRADFORD: Matrix =
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
 ///
+/// The sums are exact for the straight lines between the samples of a material, and no better than
+/// these: there are 14 samples of gold in the visible range, 16 to 52 nm apart, and the error of
+/// straight lines in its colour is about 0.005 (without every second of them it moves by up to
+/// 0.015).
+///
 /// Gold reflects more red than sRGB can show: channels above 1 and below 0 are returned as they
 /// are. [`clamp_to_srgb`](super::clamp_to_srgb) cuts them.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use brdf::colorimetry::WAVELENGTHS;
 use brdf::materials::{Material, find};
-use brdf::{Fresnel, Illuminant, Observer, Spectrum};
+use brdf::{Conductor, Fresnel, Illuminant, Observer, Spectrum};
 use glam::DVec3;
 
-use crate::tables::{Row, number, rows};
+use crate::tables::{Row, number, path, rows};
 
 fn rgb(row: &Row, columns: [&str; 3]) -> DVec3 {
     DVec3::from(columns.map(|column| number(row, column)))
@@ -68,6 +68,49 @@ fn a_few_wavelengths_are_enough() {
     assert!(largest_difference::<41>() < 1e-3);
     assert!(largest_difference::<21>() < 5e-3);
     assert!(largest_difference::<11>() < 2e-2);
+}
+
+/// How far the colour of gold moves if every second sample is left out. The error of straight lines
+/// grows with the square of the distance of the samples, so that a third of this is the error left.
+#[test]
+fn the_samples_of_gold_are_dense_enough() {
+    let gold = find("Au").expect("is there");
+    let daylight = Observer::new(Illuminant::D65, WAVELENGTHS).expect("ascending");
+    let exact = daylight.linear_srgb(normal_incidence(gold).0);
+    let samples: Vec<_> = gold.samples().collect();
+    let visible = samples.iter().filter(|one| (380.0..=780.0).contains(&one.wavelength)).count();
+    let mut moved = DVec3::ZERO;
+    for first in [0, 1] {
+        let kept: Vec<_> = samples.iter().skip(first).step_by(2).collect();
+        let spectrum = WAVELENGTHS.map(|at| {
+            let above = kept.partition_point(|one| one.wavelength <= at);
+            let (a, b) = (kept[above - 1], kept[above]);
+            let part = (at - a.wavelength) / (b.wavelength - a.wavelength);
+            let line = |a: f64, b: f64| a * (1.0 - part) + b * part;
+            let (eta, k) = (line(a.index.eta, b.index.eta), line(a.index.k, b.index.k));
+            Conductor::new(eta, k).expect("in range").reflectance(1.0)
+        });
+        moved = moved.max((daylight.linear_srgb(Spectrum(spectrum)) - exact).abs());
+    }
+    println!("{visible} samples, moved by {moved}");
+    let apart = samples.windows(2).map(|pair| (pair[0].wavelength, pair[1].wavelength));
+    let apart: Vec<f64> = apart
+        .filter(|(one, next)| *one > 380.0 && *next < 780.0)
+        .map(|(one, next)| next - one)
+        .collect();
+    let (nearest, widest) = apart
+        .iter()
+        .fold((f64::MAX, 0.0_f64), |(least, most), &step| (least.min(step), most.max(step)));
+    let documented = format!(
+        "{visible} samples of gold in the visible range, {nearest:.0} to {widest:.0} nm apart"
+    );
+    let page = std::fs::read_to_string(path("src/colorimetry/observer.rs")).expect("is there");
+    let page = page.replace("\n/// ", " ");
+    assert!(page.contains(&documented), "{documented}");
+    let moved = moved.max_element();
+    let documented = format!("without every second of them it moves by up to {moved:.3}");
+    assert!(page.contains(&documented), "{documented}");
+    assert!(page.contains(&format!("about {:.3}", moved / 3.0)), "{}", moved / 3.0);
 }
 
 #[test]
