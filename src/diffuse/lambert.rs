@@ -3,7 +3,7 @@ use core::f64::consts::FRAC_1_PI;
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Mask, Real, Vector, lift};
+use crate::real::{Color, Mask, Real, Vector, lift, unsigned};
 use crate::sampling::cosine_hemisphere;
 
 /// Lambert's ideal diffuse surface: equal radiance in all directions.
@@ -44,7 +44,7 @@ impl<C> Lambert<C> {
         C: Color<T>,
     {
         ParameterError::check("albedo", range::UNIT, |lower, upper| albedo.outside(lower, upper))?;
-        Ok(Self { albedo })
+        Ok(Self { albedo: unsigned(albedo) })
     }
 }
 

@@ -3,7 +3,7 @@ use core::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::above_surface;
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Mask, Real, Vector, lift};
+use crate::real::{Color, Mask, Real, Vector, lift, unsigned};
 use crate::sampling::cosine_hemisphere;
 
 /// Oren and Nayar's rough diffuse surface of Lambertian V-grooves, qualitative form.
@@ -91,7 +91,7 @@ impl<C, T> OrenNayar<C, T> {
         ParameterError::check("sigma", range::SIGMA, |lower, upper| sigma.outside(lower, upper))?;
         let variance = sigma.squared();
         Ok(Self {
-            albedo,
+            albedo: unsigned(albedo),
             constant: T::lit(1.0) - T::lit(0.5) * variance / (variance + T::lit(constant)),
             backscatter: T::lit(0.45) * variance / (variance + T::lit(0.09)),
         })

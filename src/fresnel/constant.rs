@@ -1,6 +1,6 @@
 use super::term::Fresnel;
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Real, lift};
+use crate::real::{Color, Real, lift, unsigned};
 
 /// The same reflectance at all angles: an ideal mirror, or no Fresnel effect at all.
 ///
@@ -38,7 +38,7 @@ impl<C> Constant<C> {
     {
         let outside = |lower, upper| reflectance.outside(lower, upper);
         ParameterError::check("reflectance", range::UNIT, outside)?;
-        Ok(Self { reflectance })
+        Ok(Self { reflectance: unsigned(reflectance) })
     }
 }
 

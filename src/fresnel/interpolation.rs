@@ -1,7 +1,7 @@
 use super::dielectric::Dielectric;
 use super::term::{Fresnel, average_over_cosine, incident_cosine};
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Lift, Real, lift};
+use crate::real::{Color, Lift, Real, lift, unsigned};
 
 /// Hall's interpolation: the colour at normal incidence turns white towards grazing as the exact
 /// curve of a reference material does.
@@ -173,7 +173,7 @@ impl<C, F> Cook<C, F> {
     {
         let reflectance = Hall::with_reference(f0, reference)?;
         ParameterError::check("light", LIGHT, |lower, upper| light.outside(lower, upper))?;
-        Ok(Self { reflectance, light })
+        Ok(Self { reflectance, light: unsigned(light) })
     }
 }
 

@@ -88,7 +88,7 @@ impl<C, T> BlinnPhong<C, T> {
         T: Real,
         C: Color<T>,
     {
-        check_lobe(specular, exponent)?;
+        let specular = check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent, constant: T::lit(1.0) })
     }
 }

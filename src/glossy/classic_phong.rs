@@ -58,7 +58,7 @@ impl<C, T> ClassicPhong<C, T> {
         T: Real,
         C: Color<T>,
     {
-        check_lobe(specular, exponent)?;
+        let specular = check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent })
     }
 }

@@ -1,15 +1,16 @@
 //! What all lobes have: a colour and an exponent.
 
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, unsigned};
 
-/// Checks both.
+/// Checks both and gives the colour back, without a sign where it is zero.
 pub(super) fn check_lobe<T: Real, C: Color<T>>(
     specular: C,
     exponent: T,
-) -> Result<(), ParameterError> {
+) -> Result<C, ParameterError> {
     ParameterError::check("specular", range::UNIT, |lower, upper| specular.outside(lower, upper))?;
     ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
         exponent.outside(lower, upper)
-    })
+    })?;
+    Ok(unsigned(specular))
 }

@@ -65,7 +65,7 @@ impl<C, T> Phong<C, T> {
         T: Real,
         C: Color<T>,
     {
-        check_lobe(specular, exponent)?;
+        let specular = check_lobe(specular, exponent)?;
         Ok(Self { specular, exponent })
     }
 }

@@ -8,6 +8,7 @@ mod math;
 mod spectrum;
 mod traits;
 mod vector3;
+mod zero;
 
 pub(crate) use inlining::{in_place, iterate};
 pub use lanes::Lanes;
@@ -16,3 +17,4 @@ pub(crate) use lift::lift;
 pub use spectrum::Spectrum;
 pub use traits::{Color, Mask, Real, Vector};
 pub use vector3::Vector3;
+pub(crate) use zero::unsigned;

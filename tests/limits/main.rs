@@ -15,4 +15,5 @@ mod fresnel_robustness;
 mod hemisphere;
 mod lobes;
 mod microfacet;
+mod signs;
 mod sums;
