@@ -115,7 +115,7 @@ forms! {
 entrance!(BrdfDescription);
 
 part! {
-    /// A term of a sum.
+    /// A term of a sum. It is read as a part of a description only, whose errors name its place.
     pub struct WeightedBrdf {
         /// Weight, per channel.
         pub weight: ColorDescription,

@@ -55,7 +55,7 @@ forms! {
 entrance!(DistributionDescription);
 
 part! {
-    /// A term of a mixture.
+    /// A term of a mixture. It is read as a part of a description only, whose errors name its place.
     pub struct WeightedDistribution {
         /// Weight, divided by the sum of all weights.
         pub weight: f64,

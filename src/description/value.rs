@@ -9,6 +9,8 @@ use crate::error::ParameterError;
 use crate::real::{Color, Real, Vector};
 
 /// A colour: `0.5`, or `[r, g, b]`.
+///
+/// It is read as a part of a description only, whose errors name its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ColorDescription {
     /// The same in every channel.
@@ -80,6 +82,8 @@ impl Serialize for ColorDescription {
 }
 
 /// A refractive index at one wavelength: `1.5`, or `[eta, k]` of a conductor.
+///
+/// It is read as a part of a description only, whose errors name its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum IndexDescription {
     /// Of a transparent medium.
@@ -107,6 +111,8 @@ impl Serialize for IndexDescription {
 }
 
 /// A roughness: `0.3`, or `[along_x, along_y]`.
+///
+/// It is read as a part of a description only, whose errors name its place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RoughnessDescription {
     /// The same in every direction.

@@ -5,7 +5,7 @@ use core::ops::RangeInclusive;
 
 use super::samples::{RefractiveIndex, Sample, Samples};
 use crate::error::ParameterError;
-use crate::fresnel::Conductor;
+use crate::fresnel::{Conductor, Dielectric};
 use crate::real::{Color, Real};
 
 /// What a material is, and whether it is a good choice.
@@ -186,6 +186,32 @@ impl Material {
     {
         let RefractiveIndex { eta, k } = self.refractive_index(wavelength)?;
         Conductor::new(eta, k)
+    }
+
+    /// Fresnel's reflectance of a transparent material in air at a wavelength in nanometres, or at
+    /// several: one for each channel of a colour. What k does to the reflectance, less than
+    /// 10⁻⁷ in all these sets, is left out.
+    ///
+    /// ```
+    /// use brdf::Fresnel;
+    /// use brdf::materials::{GOLD, find};
+    ///
+    /// let glass = find("N-BK7")?.dielectric(587.6_f64)?;
+    /// assert!((glass.reflectance(1.0) - 0.04216).abs() < 1e-5);
+    /// assert_eq!(GOLD.dielectric(700.0_f64).unwrap_err().parameter(), "k");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If a wavelength is not in [`range`](Self::range), or k is above 10⁻³ there.
+    pub fn dielectric<T, C>(&self, wavelength: C) -> Result<Dielectric<C>, ParameterError>
+    where
+        T: Real + Into<f64>,
+        C: Color<T>,
+    {
+        let RefractiveIndex { eta, k } = self.refractive_index(wavelength)?;
+        ParameterError::check("k", (0.0, 1e-3), |lower, upper| k.outside(lower, upper))?;
+        Dielectric::new(eta)
     }
 }
 

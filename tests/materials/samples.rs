@@ -1,7 +1,7 @@
 //! The embedded numbers, what lies between them, and how much room they take.
 
 use brdf::materials::{ALL, Material};
-use brdf::{Spectrum, Vector3};
+use brdf::{Fresnel, Spectrum, Vector3};
 use glam::{DVec3, Vec3};
 
 use crate::tables::{number, rows};
@@ -121,4 +121,27 @@ fn the_embedded_data_is_small() {
     println!("samples {samples}, text {text}, records {records}");
     assert_eq!(samples, 73_070);
     assert!(samples + text + records < 110_000, "{}", samples + text + records);
+}
+
+/// What is left out where a transparent material is taken for one without absorption.
+#[test]
+fn a_transparent_material_is_a_dielectric() {
+    let (mut largest, mut opaque) = (0.0_f64, 0);
+    for material in ALL {
+        for sample in material.samples() {
+            let exact = material.conductor(sample.wavelength).expect("in range");
+            let Ok(clear) = material.dielectric(sample.wavelength) else {
+                assert!(sample.index.k > 1e-3, "{material} at {}", sample.wavelength);
+                opaque += 1;
+                continue;
+            };
+            for cos in [1.0, 0.7, 0.5, 0.3, 0.1, 0.01] {
+                let difference: f64 = clear.reflectance(cos) - exact.reflectance(cos);
+                largest = largest.max(difference.abs());
+            }
+        }
+    }
+    println!("largest difference {largest:.1e}, {opaque} samples absorb");
+    assert!(largest < 1e-7, "{largest:e}");
+    assert_eq!(opaque, 3239);
 }
