@@ -62,20 +62,18 @@ fn samples_follow_the_density() {
     });
 }
 
-/// ∫ pdf dω + P(no direction) = 1: to 10⁻⁶ in nine of ten cases, and nowhere off by more than
-/// 2·10⁻⁴. What is off by more than 10⁻⁶ is the quadrature at this size, not known to be a model:
-/// strips of failing numbers at the ends of the terms of a mixture and features of grazing lobes
-/// that hold less than one draw in ten thousand can lie between all points that are looked at.
+/// ∫ pdf dω + P(no direction) = 1: to 10⁻⁶ in 95 of 100 cases, and nowhere off by more than 10⁻⁴.
+/// What is off by more are two quadratures at this size: ∫ pdf for viewers at a height of 10⁻³, where
+/// its own estimate says so, and failures of mixtures of which a jump was not seen.
 #[test]
 fn the_density_leaves_nothing_out() {
     assert_all(|Case { sampling, .. }| {
         let excess = sampling.excess();
-        (excess.abs() > 2e-4)
+        (excess.abs() > 1e-4)
             .then(|| format!("{excess:e}, {:?}, {:?}", sampling.mass, sampling.failure))
     });
     let exact = CASES.iter().filter(|case| case.sampling.excess().abs() < 1e-6).count();
-    println!("{exact} of {} within 1e-6", CASES.len());
-    assert!(10 * exact >= 9 * CASES.len(), "only {exact} of {} within 1e-6", CASES.len());
+    assert!(20 * exact >= 19 * CASES.len(), "only {exact} of {} within 1e-6", CASES.len());
 }
 
 /// The pdf of a sample is `pdf`, to the last bit; its weight times `pdf` is `eval` times the

@@ -7,7 +7,6 @@ use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
 use super::chart::Chart;
-use super::failure::Witness;
 use super::partition::Partition;
 
 /// What was drawn.
@@ -23,8 +22,6 @@ pub struct Draws {
     /// times the cosine, relative to the larger one, in units of the precision's epsilon.
     pub pdf_ulps: f64,
     pub weight_ulps: f64,
-    /// Every pair of uniform numbers, and whether it gave no direction.
-    pub witnesses: Vec<Witness>,
 }
 
 /// Draws from `wo` in the precision of the model.
@@ -48,7 +45,6 @@ where
         largest: 0.0,
         pdf_ulps: 0.0,
         weight_ulps: 0.0,
-        witnesses: Vec::with_capacity(count as usize),
     };
     let epsilon = epsilon::<T>();
     let ulps =
@@ -59,7 +55,6 @@ where
         let (weight, pdf): (DVec3, f64) = (wide::<T>(sample.weight), sample.pdf.into());
         draws.mean += weight;
         draws.largest = draws.largest.max(weight.max_element());
-        draws.witnesses.push((u.map(Into::into), pdf == 0.0));
         if pdf == 0.0 {
             draws.counts[failed] += 1;
             continue;

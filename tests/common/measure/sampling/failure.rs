@@ -1,182 +1,149 @@
 //! The probability that a draw gives no direction.
 
 use glam::DVec3;
-use std::collections::BinaryHeap;
 
 use super::Integral;
-use super::rule::{NODES, nodes};
 use crate::common::measure::Model64;
 
-/// Two uniform numbers of which it is known whether they give no direction.
-pub type Witness = ([f64; 2], bool);
-
-/// The measure of the pairs of uniform numbers in [0, 1)² for which a sample fails: the length of
-/// the failing part of lines of constant second number, integrated over that number.
+/// The measure of the pairs of uniform numbers in [0, 1)² for which a sample fails.
 ///
-/// Models choose their terms by the first number, so that the set may jump along it, and along it
-/// lie the strips at the end of each term's range where the farthest tails fail. The lines are
-/// looked at in equal steps, at both ends more closely, and where the witnesses failed; between
-/// points that differ the edge is found by bisection.
-pub fn probability(
-    model: &Model64,
-    wo: DVec3,
-    witnesses: &[Witness],
-    tolerance: f64,
-    budget: u32,
-) -> Integral {
-    let mut lines = Lines { model, wo, points: points(witnesses), evaluations: 0 };
-    let mut heap = BinaryHeap::new();
-    for panel in panels(witnesses).windows(2) {
-        heap.push(lines.panel([panel[0], panel[1]]));
-    }
-    let mut error: f64 = heap.iter().map(|panel| panel.error).sum();
-    while error > tolerance && lines.evaluations < budget {
-        let Some(Panel { ends: [from, to], error: worst, .. }) = heap.pop() else { break };
-        error -= worst;
-        let middle = 0.5 * (from + to);
-        for ends in [[from, middle], [middle, to]] {
-            let panel = lines.panel(ends);
-            error += panel.error;
-            heap.push(panel);
+/// A draw that fails tells its direction too, and how far that lies below the surface. So the edge
+/// of the failing set is the line where the height is 0, and it can be seen coming: the unit
+/// square is cut into cells, and cut again where the height changes sign or might, until what is
+/// left of the edge is straight. Models choose their terms by the first number, and at the end of
+/// each term's range lie its farthest tails: there, and at the ends of both numbers, cells are
+/// narrow from the beginning.
+pub fn probability(model: &Model64, wo: DVec3) -> Integral {
+    let mut square = Square { model, wo, evaluations: 0, error: 0.0 };
+    let steps = |count: u32| (0..=count).map(move |step| f64::from(step) / f64::from(count));
+    let jumps = square.jumps(0.37).into_iter().chain(square.jumps(0.81));
+    let around_jumps = jumps.flat_map(|jump| around(jump, 13));
+    let columns =
+        sorted(steps(64).chain(around(0.0, 13)).chain(around(1.0, 13)).chain(around_jumps));
+    let rows = sorted(steps(64).chain(around(0.0, 9)).chain(around(1.0, 9)));
+    let mut value = 0.0;
+    for column in columns.windows(2) {
+        // Just inside, since the height may jump at the ends.
+        let inset = 1e-4 * (column[1] - column[0]).min(1e-9);
+        let x = [column[0], column[1]];
+        let sides = [x[0] + inset, x[1] - inset];
+        let mut below = sides.map(|u0| square.height([u0, rows[0]]));
+        for row in rows.windows(2) {
+            let above = sides.map(|u0| square.height([u0, row[1]]));
+            let corners = [below[0], below[1], above[0], above[1]];
+            value += square.failing(sides, [row[0], row[1]], corners) * (x[1] - x[0])
+                / (sides[1] - sides[0]);
+            below = above;
         }
     }
-    Integral {
-        value: heap.iter().map(|panel| panel.integral).sum(),
-        error: heap.iter().map(|panel| panel.error).sum(),
-        evaluations: lines.evaluations,
-    }
+    Integral { value, error: square.error, evaluations: square.evaluations }
 }
 
-/// At most about this many of the failed witnesses say where to look.
-const FAILED: usize = 192;
+/// The last number below 1.
+const LAST: f64 = 1.0 - 0.5 * f64::EPSILON;
+/// Steps in which a line is searched for jumps.
+const FINE: u32 = 1024;
+/// Cells of this area are not cut any more.
+const LEAST: f64 = 3e-8;
 
-fn failed(witnesses: &[Witness], axis: usize) -> Vec<f64> {
-    let all = witnesses.iter().filter(|(_, failed)| *failed).map(|(u, _)| u[axis]);
-    let mut sorted: Vec<f64> = all.collect();
+/// A place and numbers ever closer to it from both sides.
+fn around(place: f64, finest: i32) -> impl Iterator<Item = f64> {
+    let distances = (2..finest).map(|exponent| 10.0_f64.powi(-exponent));
+    distances.flat_map(move |distance| [place - distance, place + distance]).chain([place])
+}
+
+fn sorted(numbers: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut sorted: Vec<f64> = numbers.map(|number| number.clamp(0.0, LAST)).collect();
     sorted.sort_unstable_by(f64::total_cmp);
-    let step = sorted.len().div_ceil(FAILED).max(1);
-    sorted.into_iter().step_by(step).collect()
+    sorted.dedup_by(|a, b| *a - *b < 1e-13);
+    sorted
 }
 
-/// Where each line is looked at, from 0 to the last number below 1.
-fn points(witnesses: &[Witness]) -> Vec<f64> {
-    let mut points = failed(witnesses, 0);
-    points.extend((0..=64).map(|step| {
-        let t = f64::from(step) / 64.0;
-        t * t * (3.0 - 2.0 * t)
-    }));
-    points.extend((1..64).map(|step| f64::from(step) / 64.0));
-    for exponent in 2..16 {
-        let small = 10.0_f64.powi(-exponent);
-        points.extend([small, 1.0 - small]);
-    }
-    for point in &mut points {
-        *point = point.min(1.0 - 0.5 * f64::EPSILON);
-    }
-    points.sort_unstable_by(f64::total_cmp);
-    points.dedup();
-    points
-}
-
-/// The ends of the first panels of the second number.
-fn panels(witnesses: &[Witness]) -> Vec<f64> {
-    let mut ends: Vec<f64> = (0..=16).map(|step| f64::from(step) / 16.0).collect();
-    ends.extend(failed(witnesses, 1).into_iter().step_by(FAILED / 16));
-    for exponent in 2..8 {
-        let small = 10.0_f64.powi(-exponent);
-        ends.extend([small, 1.0 - small]);
-    }
-    ends.sort_unstable_by(f64::total_cmp);
-    ends.dedup();
-    ends
-}
-
-struct Lines<'a> {
+struct Square<'a> {
     model: &'a Model64,
     wo: DVec3,
-    points: Vec<f64>,
     evaluations: u32,
-}
-
-impl Lines<'_> {
-    fn fails(&mut self, u: [f64; 2]) -> bool {
-        self.evaluations += 1;
-        self.model.sample(self.wo, u).pdf == 0.0
-    }
-
-    fn panel(&mut self, ends: [f64; 2]) -> Panel {
-        let half = 0.5 * (ends[1] - ends[0]);
-        let places = nodes(ends[0], ends[1]);
-        let lengths = places.map(|u1| self.length(u1));
-        let sum = |weights: [f64; 7]| {
-            half * weights.iter().zip(&lengths).map(|(weight, length)| weight * length).sum::<f64>()
-        };
-        let integral = sum(NODES.map(|node| node.1));
-        // The difference to one rule alone is small at some places of a step: to Gauss's, and to
-        // that of the other four nodes.
-        let others = [0.197227, 0.0, 0.802773, 0.0, 0.802773, 0.0, 0.197227];
-        let within = [NODES.map(|node| node.2), others].map(|rule| (integral - sum(rule)).abs());
-        // A step between the last node and an end shows at the end.
-        let beyond = [(0, 1, ends[0]), (6, 5, ends[1])].map(|(last, before, end)| {
-            let inset = end + 1e-9 * (places[last] - end);
-            let slope = (lengths[last] - lengths[before]) / (places[last] - places[before]);
-            let expected = lengths[last] + slope * (inset - places[last]);
-            (self.length(inset) - expected).abs() * (places[last] - end).abs()
-        });
-        let error = within.into_iter().chain(beyond).fold(0.0, f64::max);
-        Panel { ends, integral, error }
-    }
-
-    /// The length of the failing part of a line.
-    fn length(&mut self, u1: f64) -> f64 {
-        let mut length = 0.0;
-        let mut before = (self.points[0], self.fails([self.points[0], u1]));
-        for index in 1..self.points.len() {
-            let now = (self.points[index], self.fails([self.points[index], u1]));
-            if now.1 == before.1 {
-                length += if now.1 { now.0 - before.0 } else { 0.0 };
-            } else {
-                let edge = self.edge(before, now.0, u1);
-                length += if now.1 { now.0 - edge } else { edge - before.0 };
-            }
-            before = now;
-        }
-        length
-    }
-
-    /// Where failure begins or ends between a place, of which it is known, and another.
-    fn edge(&mut self, (mut from, fails): (f64, bool), mut to: f64, u1: f64) -> f64 {
-        while to - from > 1e-11 {
-            let middle = 0.5 * (from + to);
-            if self.fails([middle, u1]) == fails {
-                from = middle;
-            } else {
-                to = middle;
-            }
-        }
-        0.5 * (from + to)
-    }
-}
-
-struct Panel {
-    ends: [f64; 2],
-    integral: f64,
     error: f64,
 }
 
-impl Ord for Panel {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.error.total_cmp(&other.error)
+impl Square<'_> {
+    /// The height of the direction above the surface; a draw that fails has none above 0.
+    fn height(&mut self, u: [f64; 2]) -> f64 {
+        self.evaluations += 1;
+        let sample = self.model.sample(self.wo, u);
+        if sample.pdf == 0.0 { sample.wi.z.min(0.0) } else { sample.wi.z.max(f64::MIN_POSITIVE) }
+    }
+
+    /// Places where the height jumps along a line of constant second number: where halving a step
+    /// does not halve the difference.
+    fn jumps(&mut self, u1: f64) -> Vec<f64> {
+        let place = |step: u32| (f64::from(step) / f64::from(FINE)).min(LAST);
+        let heights: Vec<f64> = (0..=FINE).map(|step| self.height([place(step), u1])).collect();
+        let mut jumps = Vec::new();
+        for step in 0..FINE {
+            let (mut from, mut to) = (place(step), place(step + 1));
+            let mut ends = [heights[step as usize], heights[step as usize + 1]];
+            let least = 0.5 * (ends[1] - ends[0]).abs().max(1e-3);
+            while to - from > 1e-14 && (ends[1] - ends[0]).abs() > least {
+                let middle = 0.5 * (from + to);
+                let height = self.height([middle, u1]);
+                if (height - ends[0]).abs() > (ends[1] - height).abs() {
+                    (to, ends[1]) = (middle, height);
+                } else {
+                    (from, ends[0]) = (middle, height);
+                }
+            }
+            if to - from <= 1e-14 {
+                jumps.push(to);
+            }
+        }
+        jumps
+    }
+
+    /// The failing part of a cell, from the heights at its corners: x first, then y.
+    fn failing(&mut self, x: [f64; 2], y: [f64; 2], corners: [f64; 4]) -> f64 {
+        let area = (x[1] - x[0]) * (y[1] - y[0]);
+        let least = corners.into_iter().fold(f64::INFINITY, f64::min);
+        let most = corners.into_iter().fold(f64::NEG_INFINITY, f64::max);
+        let near = most - least;
+        if least > near {
+            return 0.0;
+        }
+        if most < -near {
+            return area;
+        }
+        if area < LEAST {
+            // Cut into triangles along either diagonal.
+            let [a, b, c, d] = corners;
+            let one = below(a, b, c) + below(b, c, d);
+            let other = below(a, b, d) + below(a, c, d);
+            self.error += 0.5 * area * (one - other).abs();
+            return 0.25 * area * (one + other);
+        }
+        let (mx, my) = (0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1]));
+        let [a, b, c, d] = corners;
+        let [bottom, top] = [self.height([mx, y[0]]), self.height([mx, y[1]])];
+        let [left, right] = [self.height([x[0], my]), self.height([x[1], my])];
+        let center = self.height([mx, my]);
+        self.failing([x[0], mx], [y[0], my], [a, bottom, left, center])
+            + self.failing([mx, x[1]], [y[0], my], [bottom, b, center, right])
+            + self.failing([x[0], mx], [my, y[1]], [left, center, c, top])
+            + self.failing([mx, x[1]], [my, y[1]], [center, right, top, d])
     }
 }
-impl PartialOrd for Panel {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
+
+/// The part of a triangle where a linear function is not above 0, by its values at the corners.
+fn below(a: f64, b: f64, c: f64) -> f64 {
+    let mut values = [a, b, c];
+    values.sort_unstable_by(f64::total_cmp);
+    let [low, middle, high] = values;
+    if low > 0.0 {
+        0.0
+    } else if high <= 0.0 {
+        1.0
+    } else if middle > 0.0 {
+        low * low / ((middle - low) * (high - low))
+    } else {
+        1.0 - high * high / ((high - low) * (high - middle))
     }
 }
-impl PartialEq for Panel {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-impl Eq for Panel {}

@@ -93,7 +93,7 @@ pub fn measure(double: &Model64, single: &Model32, wo: DVec3, seed: u64, size: S
     let room = (&chart, &cells);
     let draws = draw::<f64>(double, wo, room, seed, size.draws);
     let single_draws = draw::<f32>(single, wo.as_vec3(), room, seed, size.draws);
-    let failure = failure::probability(double, wo, &draws.witnesses, size.tolerance, size.budget);
+    let failure = failure::probability(double, wo);
     let density = integrals(double, wo, &chart, &cells, size);
 
     let [mass, moments @ ..] = density.total();
