@@ -62,18 +62,23 @@ fn samples_follow_the_density() {
     });
 }
 
-/// ∫ pdf dω + P(no direction) = 1: to 10⁻⁶ in 95 of 100 cases, and nowhere off by more than 10⁻⁴.
-/// What is off by more are two quadratures at this size: ∫ pdf for viewers at a height of 10⁻³, where
-/// its own estimate says so, and failures of mixtures of which a jump was not seen.
+/// ∫ pdf dω + P(no direction) = 1, to 10⁻⁶ but for three cases at most, and those to 2·10⁻⁶. What
+/// misses 10⁻⁶ are densities that jump at a right angle from the mirror direction: the cells of
+/// ∫ pdf approach such a jump by halving alone, until the most that an integral may take of them
+/// are used up or the estimate, which expects smooth functions, is too small.
 #[test]
 fn the_density_leaves_nothing_out() {
     assert_all(|Case { sampling, .. }| {
         let excess = sampling.excess();
-        (excess.abs() > 1e-4)
+        (excess.abs() > 2e-6)
             .then(|| format!("{excess:e}, {:?}, {:?}", sampling.mass, sampling.failure))
     });
-    let exact = CASES.iter().filter(|case| case.sampling.excess().abs() < 1e-6).count();
-    assert!(20 * exact >= 19 * CASES.len(), "only {exact} of {} within 1e-6", CASES.len());
+    let off: Vec<&Case> = CASES.iter().filter(|case| case.sampling.excess().abs() > 1e-6).collect();
+    let names: Vec<&str> = off.iter().map(|case| case.name.as_str()).collect();
+    assert!(off.len() <= 3, "{names:?}");
+    // Nothing but such lobes.
+    let jumps = |name: &&str| name.contains("Schlick's power") || name.contains("sum of three");
+    assert!(names.iter().all(jumps), "{names:?}");
 }
 
 /// The pdf of a sample is `pdf`, to the last bit; its weight times `pdf` is `eval` times the

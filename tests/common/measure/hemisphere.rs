@@ -114,9 +114,10 @@ pub fn cells<C: Color<f64>>(model: &dyn Brdf<f64, Color = C>, wo: DVec3) -> Vec<
 /// Ever wider distances from where the viewer is. Models that ask for the taller of two directions
 /// have a kink at the height of the viewer; what depends on the ratio of the two heights, and the
 /// facets that mirror one grazing direction into another, take up as little of the hemisphere as
-/// the viewer is high.
+/// the viewer is high. None for a viewer on the horizon.
 fn graded(height: f64) -> impl Iterator<Item = f64> + Clone {
-    std::iter::successors(Some(height), |width| Some(8.0 * width)).take_while(|width| *width < 0.9)
+    let first = (height > 0.0).then_some(height);
+    std::iter::successors(first, |width| Some(8.0 * width)).take_while(|width| *width < 0.9)
 }
 
 fn intervals(edges: impl Iterator<Item = f64>) -> Vec<[f64; 2]> {

@@ -16,9 +16,6 @@ pub struct Cubature<const K: usize> {
     pub integrals: Vec<[f64; K]>,
     /// The sum over all cells and functions of the estimates of the error.
     pub error: f64,
-    /// That of the first function alone.
-    pub first_error: f64,
-    pub evaluations: u32,
 }
 
 impl<const K: usize> Cubature<K> {
@@ -62,8 +59,7 @@ pub fn integrate<const K: usize>(
         }
     }
     let error = heap.iter().map(|part| part.piece.error()).sum();
-    let first_error = heap.iter().map(|part| part.piece.first_error).sum();
-    Cubature { integrals, error, first_error, evaluations: integrand.evaluations }
+    Cubature { integrals, error }
 }
 
 /// The functions, with a count of how often they were asked.
@@ -88,15 +84,13 @@ pub struct Piece<const K: usize> {
     pub integral: [f64; K],
     /// Estimates of the error along the axes.
     pub errors: [f64; 2],
-    /// What the first function has in them.
-    pub first_error: f64,
     /// The axis across which to cut.
     pub axis: usize,
 }
 
 impl<const K: usize> Piece<K> {
-    pub fn new(integral: [f64; K], errors: [f64; 2], first_error: f64) -> Self {
-        Self { integral, errors, first_error, axis: usize::from(errors[1] > errors[0]) }
+    pub fn new(integral: [f64; K], errors: [f64; 2]) -> Self {
+        Self { integral, errors, axis: usize::from(errors[1] > errors[0]) }
     }
 
     fn error(&self) -> f64 {
@@ -213,7 +207,7 @@ pub fn points([from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
 /// The integrals by the values and areas at all pairs of nodes.
 fn of_grid<const K: usize>(rectangle: &Rectangle, grid: &[[([f64; K], f64); 7]; 7]) -> Piece<K> {
     let scale = 0.25 * rectangle.area();
-    let (mut integral, mut errors, mut first_error) = ([0.0; K], [0.0; 2], 0.0);
+    let (mut integral, mut errors) = ([0.0; K], [0.0; 2]);
     for k in 0..K {
         let (mut fine, mut coarse_x, mut coarse_y) = (0.0, 0.0, 0.0);
         for (row, x) in grid.iter().zip(&NODES) {
@@ -234,9 +228,6 @@ fn of_grid<const K: usize>(rectangle: &Rectangle, grid: &[[([f64; K], f64); 7]; 
         integral[k] = scale * fine;
         errors[0] += likely_error(scale * (fine - coarse_x), scale * variation);
         errors[1] += likely_error(scale * (fine - coarse_y), scale * variation);
-        if k == 0 {
-            first_error = errors[0] + errors[1];
-        }
     }
-    Piece::new(integral, errors, first_error)
+    Piece::new(integral, errors)
 }

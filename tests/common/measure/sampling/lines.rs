@@ -27,7 +27,7 @@ pub fn integrate<const K: usize>(
         errors[across] += (fine - coarse).abs();
     }
     errors[axis] = by_rule(half, lines.each_ref().map(|line| line.error)).0;
-    let mut piece = Piece::new(integral, errors, errors[0] + errors[1]);
+    let mut piece = Piece::new(integral, errors);
     // What lies between the outer lines and the sides is a fiftieth of each, and a strip may fall
     // between the points: where the lines lie inside, or outside, but for less than that, they may
     // have missed the edge that was seen elsewhere.
@@ -35,7 +35,6 @@ pub fn integrate<const K: usize>(
     if !(0.02..=0.98).contains(&inside) {
         piece.axis = rectangle.longer();
         piece.errors[piece.axis] = piece.errors[piece.axis].max(0.02 * most);
-        piece.first_error = piece.errors[0] + piece.errors[1];
     }
     piece
 }

@@ -15,7 +15,7 @@ use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use super::{Model32, Model64};
+use super::{Model32, Model64, hemisphere};
 use chart::Chart;
 use chi_squared::{Verdict, compare};
 use cubature::{Cubature, integrate};
@@ -29,8 +29,8 @@ pub struct Size {
     pub pilot: u32,
     /// Draws that are counted, in each precision.
     pub draws: u32,
-    /// The error of ∫ pdf and of the probability of failure that is asked for; ten times as much
-    /// is allowed to the albedo. Estimates of errors are larger than errors, often by far.
+    /// The error of ∫ pdf, as a whole and over the cells together, and of the probability of
+    /// failure that is asked for; ten times as much is allowed to the albedo. Estimates of errors are larger than errors, often by far.
     pub tolerance: f64,
     /// The most points at which an integral may take its functions.
     pub budget: u32,
@@ -60,12 +60,11 @@ impl Sampling {
     }
 }
 
-/// The value of an integral, the estimate of its error, the points it took.
+/// The value of an integral and the estimate of its error.
 #[derive(Clone, Copy, Debug)]
 pub struct Integral {
     pub value: f64,
     pub error: f64,
-    pub evaluations: u32,
 }
 
 /// Samples in one precision.
@@ -93,10 +92,10 @@ pub fn measure(double: &Model64, single: &Model32, wo: DVec3, seed: u64, size: S
     let room = (&chart, &cells);
     let draws = draw::<f64>(double, wo, room, seed, size.draws);
     let single_draws = draw::<f32>(single, wo.as_vec3(), room, seed, size.draws);
-    let failure = failure::probability(double, wo);
+    let failure = failure::probability(double, wo, size.tolerance, size.budget);
     let density = integrals(double, wo, &chart, &cells, size);
 
-    let [mass, moments @ ..] = density.total();
+    let [_, moments @ ..] = density.total();
     let [first, second] = [([0, 1, 2], FIRST), ([3, 4, 5], SECOND)]
         .map(|(channels, scale)| DVec3::from(channels.map(|channel| moments[channel] / scale)));
     let probabilities = density.integrals.iter().map(|cell| cell[0]).chain([failure.value]);
@@ -106,13 +105,17 @@ pub fn measure(double: &Model64, single: &Model32, wo: DVec3, seed: u64, size: S
         variance: (second - first * first).max(DVec3::ZERO),
         tolerance: size.tolerance / FIRST,
     };
+    // The cells of the counts follow the draws, not the shape of the density: the integral of all
+    // has cells of its own.
+    let mass = hemisphere::integrate(
+        wo,
+        &hemisphere::cells(double, wo),
+        |wi| DVec3::splat(double.pdf(wi, wo)),
+        |_, error| error < size.tolerance,
+    );
     Sampling {
         cells: cells.cells().len(),
-        mass: Integral {
-            value: mass,
-            error: density.first_error,
-            evaluations: density.evaluations,
-        },
+        mass: Integral { value: mass.value.x, error: mass.error },
         failure,
         albedo: first,
         own_albedo: double.albedo(wo),
