@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use crate::batch::{self, BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
+use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms, formula};
 use crate::quadrature::mean_over_square;
 use crate::real::{Color, Real};
 
@@ -50,7 +50,7 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     }
 
     /// [`eval`](Self::eval) for many pairs of directions, bit for bit, at the speed of SIMD code: see
-    /// [`batch`].
+    /// [`batch`](crate::batch).
     ///
     /// # Errors
     /// If slices differ in length, or `values` in the number of channels.
@@ -60,7 +60,13 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         wo: Directions<'_, T>,
         values: ColorBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        batch::model::eval(self, wi, wo, values)
+        formula::eval(
+            wi,
+            wo,
+            values,
+            #[inline(always)]
+            |wi, wo| self.eval(wi, wo),
+        )
     }
 
     /// [`pdf`](Self::pdf) for many pairs of directions, bit for bit.
@@ -73,7 +79,13 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         wo: Directions<'_, T>,
         pdf: &mut [T],
     ) -> Result<(), BatchError> {
-        batch::model::pdf(self, wi, wo, pdf)
+        formula::pdf(
+            wi,
+            wo,
+            pdf,
+            #[inline(always)]
+            |wi, wo| self.pdf(wi, wo),
+        )
     }
 
     /// [`sample`](Self::sample) for many viewers, bit for bit.
@@ -86,7 +98,13 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         u: Uniforms<'_, T>,
         samples: SampleBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        batch::model::sample(self, wo, u, samples)
+        formula::sample(
+            wo,
+            u,
+            samples,
+            #[inline(always)]
+            |wo, u| self.sample(wo, u).into_parts(),
+        )
     }
 }
 
@@ -110,6 +128,12 @@ pub struct Sample<T: Real, C> {
 }
 
 impl<T: Real, C: Color<T>> Sample<T, C> {
+    /// Direction, weight and density.
+    #[inline(always)]
+    pub(crate) fn into_parts(self) -> (T::Vec3, C, T) {
+        (self.wi, self.weight, self.pdf)
+    }
+
     /// The sample where the mask is true, no direction (weight and pdf zero) elsewhere.
     #[inline(always)]
     #[must_use]

@@ -9,6 +9,7 @@ extern crate alloc;
 compile_error!("brdf needs the feature `std` or the feature `libm`");
 
 pub mod batch;
+mod block;
 mod brdf;
 pub mod colorimetry;
 #[cfg(feature = "serde")]

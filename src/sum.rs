@@ -1,9 +1,9 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::batch::block::{BLOCK, Components, Plane, Values};
-use crate::batch::run::{self, Samples};
-use crate::batch::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
+use crate::block::planes::{BLOCK, Components, Plane, Values};
+use crate::block::run::{self, Samples};
+use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Lift, Mask, Real, Vector, lift};

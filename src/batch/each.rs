@@ -1,10 +1,8 @@
 //! One model for each element: textures of roughness, albedo, index.
 
-use super::block::{BLOCK, Values, within};
-use super::error::BatchError;
-use super::input::{Directions, Uniforms};
-use super::output::{ColorBuffer, SampleBuffer};
-use super::run::{self, Samples};
+use crate::block::planes::{BLOCK, Values, within};
+use crate::block::run::{self, Samples};
+use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::Brdf;
 use crate::error::ParameterError;
 use crate::real::Real;

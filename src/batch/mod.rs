@@ -37,20 +37,11 @@
 //! sets, and [`InstructionSet`] tells which one runs. Without it they are compiled for the target of
 //! the build. All give the bits of the single calls.
 
-pub(crate) mod block;
 mod each;
-mod error;
-mod input;
-mod instruction_set;
-pub(crate) mod model;
-mod output;
 #[cfg(feature = "rayon")]
 pub mod parallel;
-pub(crate) mod parts;
-pub(crate) mod run;
 
+pub use crate::block::{
+    BatchError, ColorBuffer, DirectionBuffer, Directions, InstructionSet, SampleBuffer, Uniforms,
+};
 pub use each::{eval_each, pdf_each, sample_each};
-pub use error::BatchError;
-pub use input::{Directions, Uniforms};
-pub use instruction_set::InstructionSet;
-pub use output::{ColorBuffer, DirectionBuffer, SampleBuffer};

@@ -16,10 +16,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use super::error::BatchError;
-use super::input::{Directions, Uniforms};
-use super::output::{ColorBuffer, SampleBuffer};
-use super::run;
+use crate::block::run;
+use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::Brdf;
 use crate::real::Real;
 

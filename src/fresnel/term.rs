@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use crate::batch::{self, BatchError, ColorBuffer};
+use crate::block::{BatchError, ColorBuffer, parts};
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};
 
@@ -55,7 +55,12 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         cos_theta: &[T],
         values: ColorBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        batch::parts::reflectance(self, cos_theta, values)
+        parts::reflectance(
+            cos_theta,
+            values,
+            #[inline(always)]
+            |cos| self.reflectance(cos),
+        )
     }
 }
 

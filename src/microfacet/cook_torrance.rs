@@ -2,9 +2,9 @@ use super::distribution::Distribution;
 use super::facets::{Facets, Mirrored, MirroredBlock};
 use super::shadowing::Shadowing;
 use super::v_cavity::VCavity;
-use crate::batch::block::{BLOCK, Values, within};
-use crate::batch::model::calls;
-use crate::batch::{
+use crate::block::formula::calls;
+use crate::block::planes::{BLOCK, Values, within};
+use crate::block::{
     BatchError, ColorBuffer, Directions, InstructionSet, SampleBuffer, Uniforms, run,
 };
 use crate::brdf::{Brdf, Sample};
@@ -151,7 +151,7 @@ where
         values: ColorBuffer<'_, T, F::Color>,
     ) -> Result<(), BatchError> {
         if !T::VECTORIZES {
-            return calls::eval(self, wi, wo, values);
+            return calls::eval(wi, wo, values, |wi, wo| self.eval(wi, wo));
         }
         run::eval(wi, wo, values, &|set, _, wi, wo, values| {
             let mut mirrored = MirroredBlock::new();
@@ -168,7 +168,7 @@ where
         pdf: &mut [T],
     ) -> Result<(), BatchError> {
         if !T::VECTORIZES {
-            return calls::pdf(self, wi, wo, pdf);
+            return calls::pdf(wi, wo, pdf, |wi, wo| self.pdf(wi, wo));
         }
         self.facets().pdf_batch(wi, wo, pdf)
     }
@@ -180,7 +180,7 @@ where
         samples: SampleBuffer<'_, T, F::Color>,
     ) -> Result<(), BatchError> {
         if !T::VECTORIZES {
-            return calls::sample(self, wo, u, samples);
+            return calls::sample(wo, u, samples, |wo, u| self.sample(wo, u).into_parts());
         }
         run::sample(wo, u, samples, &|set, _, wo, u, samples| {
             let mut weight = MirroredBlock::new();

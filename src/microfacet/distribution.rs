@@ -2,7 +2,7 @@
 
 use alloc::boxed::Box;
 
-use crate::batch::{self, BatchError, Directions};
+use crate::block::{BatchError, Directions, parts};
 use crate::real::{Real, Vector};
 
 /// A distribution of facet normals, D(h) in sr⁻¹, normalised to ∫ D(h) (N·h) dω_h = 1.
@@ -25,7 +25,12 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     /// # Errors
     /// If slices differ in length.
     fn density_batch(&self, h: Directions<'_, T>, densities: &mut [T]) -> Result<(), BatchError> {
-        batch::parts::density(self, h, densities)
+        parts::density(
+            h,
+            densities,
+            #[inline(always)]
+            |h| self.density(h),
+        )
     }
 }
 

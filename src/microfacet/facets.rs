@@ -5,8 +5,8 @@
 
 use super::distribution::Distribution;
 use super::shadowing::Shadowing;
-use crate::batch::block::{BLOCK, Components, Plane, Planes, within};
-use crate::batch::{BatchError, Directions, InstructionSet, run};
+use crate::block::planes::{BLOCK, Components, Plane, Planes, within};
+use crate::block::{BatchError, Directions, InstructionSet, run};
 use crate::direction::{Pair, above_surface, reflect};
 use crate::real::{Mask, Real, Vector, in_place};
 

@@ -9,7 +9,7 @@ use super::cook_torrance::CookTorrance;
 use super::distribution::Distribution;
 use super::gaussian::Gaussian;
 use super::ggx::Ggx;
-use crate::batch::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
+use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::error::ParameterError;
 use crate::fresnel::Fresnel;

@@ -1,18 +1,16 @@
 //! Batches of the parts of a model: Fresnel terms and distributions.
 
-use super::block::{BLOCK, Components, Plane, Planes, Values, within};
 use super::error::{BatchError, Length};
 use super::input::{Directions, fill, whole};
 use super::instruction_set::InstructionSet;
 use super::output::{ColorBuffer, write_plane};
-use crate::fresnel::Fresnel;
-use crate::microfacet::Distribution;
+use super::planes::{BLOCK, Components, Plane, Planes, Values, within};
 use crate::real::{Color, Real};
 
-pub(crate) fn reflectance<T: Real, F: Fresnel<T> + ?Sized>(
-    fresnel: &F,
+pub(crate) fn reflectance<T: Real, C: Color<T>>(
     cos_theta: &[T],
-    values: ColorBuffer<'_, T, F::Color>,
+    values: ColorBuffer<'_, T, C>,
+    formula: impl Fn(T) -> C,
 ) -> Result<(), BatchError> {
     over_numbers(cos_theta, values, &|set, cos_theta, values| {
         within::<T, _>(
@@ -21,7 +19,7 @@ pub(crate) fn reflectance<T: Real, F: Fresnel<T> + ?Sized>(
             || {
                 let mut block = Values::new();
                 for (index, cos_theta) in cos_theta.iter().enumerate() {
-                    block.set(index, fresnel.reflectance(*cos_theta));
+                    block.set(index, formula(*cos_theta));
                 }
                 values.copy_from(&block);
             },
@@ -29,10 +27,10 @@ pub(crate) fn reflectance<T: Real, F: Fresnel<T> + ?Sized>(
     })
 }
 
-pub(crate) fn density<T: Real, D: Distribution<T> + ?Sized>(
-    distribution: &D,
+pub(crate) fn density<T: Real>(
     h: Directions<'_, T>,
     densities: &mut [T],
+    formula: impl Fn(T::Vec3) -> T,
 ) -> Result<(), BatchError> {
     over_directions(h, densities, &|set, h, densities| {
         within::<T, _>(
@@ -41,7 +39,7 @@ pub(crate) fn density<T: Real, D: Distribution<T> + ?Sized>(
             || {
                 let mut block = [T::lit(0.0); BLOCK];
                 for (index, density) in block.iter_mut().enumerate() {
-                    *density = distribution.density(h.at(index));
+                    *density = formula(h.at(index));
                 }
                 *densities = block;
             },

@@ -1,11 +1,11 @@
 //! The loops over blocks. They know numbers and colours, but no model, and are compiled once for
 //! all of them.
 
-use super::block::{BLOCK, Components, Plane, Planes, Values, within};
 use super::error::{BatchError, Length};
 use super::input::{Directions, Uniforms};
 use super::instruction_set::InstructionSet;
 use super::output::{ColorBuffer, SampleBuffer, write_plane};
+use super::planes::{BLOCK, Components, Plane, Planes, Values, within};
 use crate::real::{Color, Real};
 
 const WI: [&str; 4] = ["wi", "wi.x", "wi.y", "wi.z"];

@@ -1,7 +1,7 @@
 //! What a batch writes.
 
-use super::block::{BLOCK, Plane, Planes, Values, channels, copy_front};
 use super::error::{BatchError, Length};
+use super::planes::{BLOCK, Plane, Planes, Values, channels, copy_front};
 use crate::real::{Color, Real};
 
 /// Directions that a batch writes.
@@ -184,7 +184,7 @@ mod split {
     }
 
     impl<T, C> ColorBuffer<'_, T, C> {
-        pub(in crate::batch) fn split(self, middle: usize) -> (Self, Self) {
+        pub(crate) fn split(self, middle: usize) -> (Self, Self) {
             match self {
                 Self::Colors(colors) => {
                     let (first, second) = colors.split_at_mut(middle);
@@ -199,7 +199,7 @@ mod split {
     }
 
     impl<T: Real, C> SampleBuffer<'_, T, C> {
-        pub(in crate::batch) fn split(self, middle: usize) -> (Self, Self) {
+        pub(crate) fn split(self, middle: usize) -> (Self, Self) {
             let (wi, weight) = (self.wi.split(middle), self.weight.split(middle));
             let pdf = self.pdf.split_at_mut(middle);
             (

@@ -1,7 +1,7 @@
 //! What a batch reads.
 
-use super::block::{BLOCK, Components, Plane, Planes};
 use super::error::{BatchError, Length};
+use super::planes::{BLOCK, Components, Plane, Planes};
 use crate::real::{Real, Vector};
 
 /// Directions that a batch reads, one for each of its elements.
@@ -61,7 +61,7 @@ impl<'a, T: Real> Directions<'a, T> {
 
     /// What comes before an element, and the rest.
     #[cfg(feature = "rayon")]
-    pub(super) fn split(self, middle: usize) -> (Self, Self) {
+    pub(crate) fn split(self, middle: usize) -> (Self, Self) {
         match self {
             Self::Vectors(vectors) => {
                 let (first, second) = vectors.split_at(middle);
@@ -157,7 +157,7 @@ impl<'a, T: Real> Uniforms<'a, T> {
 
     /// What comes before an element, and the rest.
     #[cfg(feature = "rayon")]
-    pub(super) fn split(self, middle: usize) -> (Self, Self) {
+    pub(crate) fn split(self, middle: usize) -> (Self, Self) {
         match self {
             Self::Pairs(pairs) => {
                 let (first, second) = pairs.split_at(middle);
