@@ -127,6 +127,40 @@ fn arc_single() {
 }
 
 #[test]
+fn reciprocal_root_single() {
+    let arguments = sweep(f32::MIN_POSITIVE, f32::MAX);
+    check_single("rsqrt", &arguments, 1.5, Real::rsqrt, |x| 1.0 / x.sqrt());
+    // All that differ by more than an even power of two.
+    let octaves: Vec<f32> = (1.0_f32.to_bits()..4.0_f32.to_bits()).map(f32::from_bits).collect();
+    check_single("rsqrt", &octaves, 1.5, Real::rsqrt, |x| 1.0 / x.sqrt());
+    assert!(Real::rsqrt(0.0_f32) < f32::MAX);
+}
+
+#[test]
+fn reciprocal_root_double() {
+    let exponents = (-1022..=1020).map(|exponent| 2.0_f64.powi(exponent));
+    let ends = [f64::MIN_POSITIVE, f64::MAX, 1.0, 2.0, 4.0];
+    let arguments = exponents.zip(words(6)).map(|(power, word)| power * mantissa(word));
+    let octaves = words(7).take(1_000_000).map(|word| mantissa(word) * (1 + word % 2) as f64);
+    let mut worst = 0.0_f64;
+    for x in ends.into_iter().chain(arguments).chain(octaves) {
+        let y = Real::rsqrt(x);
+        // 1 − xy² with twice the digits is twice the relative error.
+        let product = x * y;
+        let rest = (-product).mul_add(y, 1.0) - x.mul_add(y, -product) * y;
+        let ulp = f64::from_bits(y.to_bits() + 1) - y;
+        worst = worst.max((0.5 * rest * y / ulp).abs());
+    }
+    assert!(worst > 0.5 && worst <= 1.5, "{worst} ulp");
+    assert!(Real::rsqrt(0.0_f64) < f64::MAX);
+}
+
+/// Of a word, in [1, 2).
+fn mantissa(word: u64) -> f64 {
+    f64::from_bits(1.0_f64.to_bits() | (word >> 12))
+}
+
+#[test]
 fn error_function_single() {
     check_single("erf", &sweep(-12.0, 12.0), 0.55, Real::erf, libm::erf);
     check_single("erfc", &sweep(-12.0, 12.0), 0.6, Real::erfc, libm::erfc);
@@ -369,6 +403,7 @@ bits! {
     bits_single, f32, 16,
     floor(-100.0, 100.0) 0x6daa728019430034
     sqrt(0.0, 100.0) 0xbe8511ed962c8179
+    rsqrt(0.0, 100.0) 0xa91233ab80788659
     exp(-100.0, 80.0) 0x71f66844adf19f4b
     exp_m1(-20.0, 80.0) 0x22cd1a779bb21fd0
     ln(0.0, 100.0) 0xe7e9dcc2e410daa6
@@ -388,6 +423,7 @@ bits! {
     bits_double, f64, 8,
     floor(-100.0, 100.0) 0xd849e256ba110ab2
     sqrt(0.0, 100.0) 0xf33b453c4cfc614e
+    rsqrt(0.0, 100.0) 0xd7d75042468144f7
     exp(-100.0, 80.0) 0xd5d034de45a250cf
     exp_m1(-20.0, 80.0) 0x74e921db96ca46d6
     ln(0.0, 100.0) 0x5a0003c6cf289280

@@ -84,7 +84,7 @@ macro_rules! float {
                 math::$precision::sin_cos(self)
             }
 
-            functions!($precision: floor sqrt exp exp_m1 ln ln_1p tan asin acos erf erfc erf_inv);
+            functions!($precision: floor sqrt rsqrt exp exp_m1 ln ln_1p tan asin acos erf erfc erf_inv);
             functions_of_two!($precision: powf atan2);
         }
     };

@@ -47,6 +47,7 @@ pub trait Mask: Copy + Debug {
 /// | `erfc` | 0.6 | 1.5 | in the tail too, down to underflow |
 /// | `erf_inv` | 3.5 | 2.0 | beyond ±1 the value at the largest number below 1 |
 /// | `sqrt`, `floor` | exact | exact | correctly rounded |
+/// | `rsqrt` | 1.5 | 1.5 | for normal x > 0 |
 ///
 /// On a plain `f32` or `f64`, `x.exp()` means the method of the standard library, whose bits
 /// depend on the platform; `Real::exp(x)` means this one. Inside a function over `T: Real` there is
@@ -132,6 +133,15 @@ pub trait Real:
     /// Square root, correctly rounded.
     #[must_use]
     fn sqrt(self) -> Self;
+    /// 1/√x of a normal number x > 0, the largest included; of 0 a large finite number. Elsewhere
+    /// the answer has no meaning.
+    ///
+    /// Made of multiplications and additions alone for `f32`, `f64` and their lanes, with which a
+    /// processor is done sooner than with one root and one division.
+    #[must_use]
+    fn rsqrt(self) -> Self {
+        Self::lit(1.0) / self.sqrt()
+    }
 
     /// eˣ.
     #[must_use]

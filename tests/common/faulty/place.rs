@@ -18,6 +18,7 @@ pub enum Operation {
     Powi,
     Powf,
     Sqrt,
+    Rsqrt,
     Abs,
     Copysign,
     Floor,

@@ -5,6 +5,7 @@ mod error_function;
 mod exponential;
 mod logarithm;
 mod power;
+mod root;
 mod trigonometric;
 
 pub(in crate::real) use arc::{acos, asin, atan2};
@@ -12,20 +13,12 @@ pub(in crate::real) use error_function::{erf, erf_inv, erfc};
 pub(in crate::real) use exponential::{exp, exp_m1};
 pub(in crate::real) use logarithm::{ln, ln_1p};
 pub(in crate::real) use power::powf;
+pub(in crate::real) use root::{rsqrt, sqrt};
 pub(in crate::real) use trigonometric::{sin_cos, tan};
 
 /// 1.5·2⁵²: a number below 2⁵¹ added to it is rounded to an integer, which then stands in the low
 /// bits of the sum.
 const ROUND: f64 = 6755399441055744.0;
-
-/// Square root, correctly rounded.
-#[inline(always)]
-pub(in crate::real) fn sqrt(x: f64) -> f64 {
-    #[cfg(feature = "std")]
-    return x.sqrt();
-    #[cfg(not(feature = "std"))]
-    return libm::sqrt(x);
-}
 
 /// The largest integer not above.
 #[inline(always)]

@@ -7,12 +7,14 @@ mod arc;
 mod error_function;
 mod exponential;
 mod logarithm;
+mod root;
 mod trigonometric;
 
 pub(in crate::real) use arc::{acos, asin, atan2};
 pub(in crate::real) use error_function::{erf, erf_inv, erfc};
 pub(in crate::real) use exponential::{exp, exp_m1};
 pub(in crate::real) use logarithm::{ln, ln_1p, powf};
+pub(in crate::real) use root::{rsqrt, sqrt};
 pub(in crate::real) use trigonometric::{sin_cos, tan};
 
 /// 1.5·2²³: a number below 2²² added to it is rounded to an integer, which then stands in the low
@@ -20,15 +22,6 @@ pub(in crate::real) use trigonometric::{sin_cos, tan};
 const ROUND: f32 = 12582912.0;
 /// The same for `f64`: 1.5·2⁵².
 const ROUND_WIDE: f64 = 6755399441055744.0;
-
-/// Square root, correctly rounded.
-#[inline(always)]
-pub(in crate::real) fn sqrt(x: f32) -> f32 {
-    #[cfg(feature = "std")]
-    return x.sqrt();
-    #[cfg(not(feature = "std"))]
-    return libm::sqrtf(x);
-}
 
 /// The largest integer not above.
 #[inline(always)]
