@@ -1,8 +1,8 @@
 use super::distribution::{Distribution, Smith};
-use super::normal_slopes::{ierfc, slopes, visible_slopes};
+use super::normal_slopes::{slopes, visible_slopes};
 use super::roughness::Roughness;
 use crate::error::ParameterError;
-use crate::real::{Real, Vector, lift};
+use crate::real::{Real, Vector, ierfc, lift};
 
 /// Beckmann's distribution: facets of a surface whose slopes are normally distributed.
 ///
@@ -104,6 +104,16 @@ impl<T: Real> Smith<T> for Beckmann<T> {
         // The least square of an f32 that is still precise. Where it takes over, Λ is zero.
         let spread = self.roughness.spread_squared(w).max(T::lit(1e-36)).sqrt();
         (T::lit(0.5) * spread * ierfc(cos / spread)).min(T::max_finite())
+    }
+
+    #[inline(always)]
+    fn projected_area(&self, w: T::Vec3) -> T {
+        let cos = w.z().max(T::lit(0.0));
+        // Bounds as above, and what has a reciprocal root.
+        let spread_squared = self.roughness.spread_squared(w);
+        let spread_squared = spread_squared.clamp(T::lit(1e-36), T::max_finite());
+        let inverse = spread_squared.rsqrt();
+        cos + spread_squared * inverse * (cos * inverse).ierfc()
     }
 
     #[inline(always)]

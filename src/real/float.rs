@@ -37,7 +37,7 @@ macro_rules! functions_of_two {
 }
 
 macro_rules! float {
-    ($float:ident, $vector:ty, $precision:ident) => {
+    ($float:ident, $vector:ty, $precision:ident, $($own:ident)*) => {
         impl Real for $float {
             type Mask = bool;
             type Vec3 = $vector;
@@ -85,10 +85,12 @@ macro_rules! float {
             }
 
             functions!($precision: floor sqrt rsqrt exp exp_m1 ln ln_1p tan asin acos erf erfc erf_inv);
+            // What only this precision has a formula of its own for.
+            functions!($precision: $($own)*);
             functions_of_two!($precision: powf atan2);
         }
     };
 }
 
-float!(f32, glam::Vec3, single);
-float!(f64, glam::DVec3, double);
+float!(f32, glam::Vec3, single, ierfc);
+float!(f64, glam::DVec3, double,);

@@ -138,6 +138,6 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
         (self.map(T::sin), self.map(T::cos))
     }
 
-    lane_functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos erf erfc erf_inv);
+    lane_functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos erf erfc ierfc erf_inv);
     lane_functions_of_two!(min max copysign powf atan2);
 }

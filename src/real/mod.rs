@@ -14,6 +14,7 @@ pub(crate) use inlining::{in_place, iterate};
 pub use lanes::Lanes;
 pub use lift::Lift;
 pub(crate) use lift::lift;
+pub(crate) use math::ierfc;
 pub use spectrum::Spectrum;
 pub use traits::{Color, Mask, Real, Vector};
 pub use vector3::Vector3;

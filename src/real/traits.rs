@@ -5,6 +5,8 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::math;
+
 /// The answer of a comparison: one truth value, or one per lane, or a symbol.
 ///
 /// A mask is never turned into a `bool` by a formula; it chooses, through [`Real::select`].
@@ -45,6 +47,7 @@ pub trait Mask: Copy + Debug {
 /// | `atan2` | 1.5 | 1.4 | |
 /// | `erf` | 0.55 | 1.25 | |
 /// | `erfc` | 0.6 | 1.5 | in the tail too, down to underflow |
+/// | `ierfc` | | | x + ierfc x to 3.2·10⁻⁷ in `f32`, 3·10⁻¹⁶ in `f64` |
 /// | `erf_inv` | 3.5 | 2.0 | beyond ±1 the value at the largest number below 1 |
 /// | `sqrt`, `floor` | exact | exact | correctly rounded |
 /// | `rsqrt` | 1.5 | 1.5 | for normal x > 0 |
@@ -189,6 +192,14 @@ pub trait Real:
     /// 1 − erf(x), accurate relative to its own size in the tail.
     #[must_use]
     fn erfc(self) -> Self;
+    /// The integral of erfc from `self` ≥ 0 to infinity, exp(−x²)/√π − x erfc(x): how much the mean
+    /// distance of x from a normally distributed number exceeds x. Accurate relative to that
+    /// distance, x + ierfc(x), to which it is added; in `f64` and by default also relative to its
+    /// own size, in the tail too.
+    #[must_use]
+    fn ierfc(self) -> Self {
+        math::ierfc(self)
+    }
     /// The x with erf(x) = `self`, for −1 < `self` < 1; finite at the ends.
     #[must_use]
     fn erf_inv(self) -> Self;

@@ -28,4 +28,7 @@ macro_rules! polynomial {
 }
 
 pub(super) mod double;
+mod ierfc;
 pub(super) mod single;
+
+pub(crate) use ierfc::ierfc;

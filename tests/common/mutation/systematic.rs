@@ -45,6 +45,7 @@ fn faults(operation: Operation) -> &'static [(&'static str, Wrong)] {
         | Operation::Powi
         | Operation::Powf
         | Operation::Sqrt
+        | Operation::Rsqrt
         | Operation::Abs
         | Operation::Copysign
         | Operation::Floor

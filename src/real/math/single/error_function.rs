@@ -56,6 +56,20 @@ pub(in crate::real) fn erfc(x: f32) -> f32 {
     (if a < SWITCH { inner } else { outer }) as f32
 }
 
+/// The square of a polynomial. It is one of √ierfc on 0 … 3.6, made by linear programming on 900
+/// points so that the error relative to x + ierfc x is least, coefficients rounded one after the
+/// other: 5·10⁻⁸, and 3·10⁻⁷ with the rounding of the arithmetic. From 3.6 on the sum is x.
+#[inline(always)]
+pub(in crate::real) fn ierfc(x: f32) -> f32 {
+    let x = if x < 3.6 { x } else { 3.6 };
+    let root = polynomial!(
+        x;
+        0.7511256, -0.66566753, 0.08058049, 0.07161661, -0.0045323656, -0.008595576,
+        -0.00336008, 0.0041457643, -0.001311356, 0.00018358196, -9.860668e-6
+    );
+    root * root
+}
+
 #[inline(always)]
 pub(in crate::real) fn erf_inv(x: f32) -> f32 {
     const BELOW_ONE: f32 = 1.0 - f32::EPSILON / 2.0;

@@ -15,6 +15,7 @@ const GAUSSIAN: &str = "src/microfacet/gaussian.rs";
 const TILTS: &str = "src/microfacet/gaussian_tilts.rs";
 const GGX: &str = "src/microfacet/ggx.rs";
 const HISTORICAL: &str = "src/microfacet/historical.rs";
+const IERFC: &str = "src/real/math/ierfc.rs";
 const MIXTURE: &str = "src/microfacet/mixture.rs";
 const ROUGHNESS: &str = "src/microfacet/roughness.rs";
 const SLOPES: &str = "src/microfacet/normal_slopes.rs";
@@ -33,8 +34,8 @@ pub(super) static MUTANTS: [Mutant; 37] = [
         "(inverse_cos_squared.▸squared() * self.roughness.peak())", Squared, LEFT),
     Mutant::new("Beckmann", "Λ without ½", BECKMANN,
         "(▸T::lit(0.5) * spread * ierfc(cos / spread))", Literal, ONE),
-    Mutant::new("Beckmann", "Λ without e^(−ν²)", SLOPES,
-        "    ▸(-nu.squared()).exp() * polynomial /", Mul, RIGHT),
+    Mutant::new("Beckmann", "Λ without e^(−ν²)", IERFC,
+        "    ▸(-x.squared()).exp() * polynomial /", Mul, RIGHT),
     Mutant::new("Beckmann", "tan²α drawn for tanα", SLOPES,
         "let tan = tan_squared.min(T::lit(40.0)).▸sqrt();", Sqrt, LEFT),
     Mutant::new("Beckmann", "visible slopes turned the wrong way", SLOPES,
