@@ -14,26 +14,30 @@ pub struct Verdict {
     pub worst: Vec<(usize, f64, f64)>,
 }
 
-/// Cells whose expectations together stay below this count as impossible.
+/// Cells whose expectations with their errors together stay below this count as impossible.
 const IMPOSSIBLE: f64 = 1e-6;
 /// The least expectation of a term.
 const LEAST: f64 = 5.0;
 
-/// Compares counts with expectations of the same sum. Cells that expect little are pooled,
-/// beginning with those that expect least.
-pub fn compare(counts: &[u32], expectations: &[f64]) -> Verdict {
-    let mut cells: Vec<(usize, f64, f64)> = counts
+/// Compares counts with expectations of the same sum, each with its error. Cells that expect
+/// little are pooled, beginning with those that expect least.
+pub fn compare(counts: &[u32], expectations: &[(f64, f64)]) -> Verdict {
+    let mut cells: Vec<(usize, f64, f64, f64)> = counts
         .iter()
         .zip(expectations)
         .enumerate()
-        .map(|(index, (&count, &expectation))| (index, f64::from(count), expectation))
+        .map(|(index, (&count, &(expectation, error)))| {
+            (index, f64::from(count), expectation, expectation + error)
+        })
         .collect();
-    cells.sort_by(|a, b| a.2.total_cmp(&b.2));
+    cells.sort_by(|a, b| a.3.total_cmp(&b.3));
 
     let (mut terms, mut pool, mut impossible) = (Vec::new(), (0.0, 0.0), Vec::new());
-    for &(index, count, expectation) in &cells {
+    let mut most = 0.0;
+    for &(index, count, expectation, with_error) in &cells {
         pool = (pool.0 + count, pool.1 + expectation);
-        if pool.1 <= IMPOSSIBLE && count > 0.0 {
+        most += with_error;
+        if most <= IMPOSSIBLE && count > 0.0 {
             impossible.push((index, count, expectation));
         }
         if pool.1 >= LEAST {

@@ -14,6 +14,8 @@ use super::rule::{NODES, likely_error, nodes};
 pub struct Cubature<const K: usize> {
     /// In the order of the cells.
     pub integrals: Vec<[f64; K]>,
+    /// Estimates of the error in each cell, of all functions together.
+    pub errors: Vec<f64>,
     /// The sum over all cells and functions of the estimates of the error.
     pub error: f64,
 }
@@ -44,7 +46,7 @@ pub fn integrate<const K: usize>(
     }
     let mut error: f64 = heap.iter().map(|part| part.piece.error()).sum();
     while error > tolerance && integrand.evaluations < budget {
-        let Some(Part { cell, rectangle, piece, whole }) = heap.pop() else { break };
+        let Some(Part { cell, rectangle, piece, whole, .. }) = heap.pop() else { break };
         error -= piece.error();
         for half in rectangle.cut_in_half(piece.axis) {
             let part = Part::new(&mut integrand, negligible, cell, half, whole);
@@ -52,14 +54,15 @@ pub fn integrate<const K: usize>(
             heap.push(part);
         }
     }
-    let mut integrals = vec![[0.0; K]; cells.len()];
+    let (mut integrals, mut errors) = (vec![[0.0; K]; cells.len()], vec![0.0; cells.len()]);
     for part in &heap {
+        errors[part.cell] += part.piece.error() + part.neglected;
         for (sum, value) in integrals[part.cell].iter_mut().zip(part.piece.integral) {
             *sum += value;
         }
     }
     let error = heap.iter().map(|part| part.piece.error()).sum();
-    Cubature { integrals, error }
+    Cubature { integrals, errors, error }
 }
 
 /// The functions, with a count of how often they were asked.
@@ -105,6 +108,8 @@ struct Part<const K: usize> {
     piece: Piece<K>,
     /// Whether the first function seems positive all over.
     whole: bool,
+    /// What is at most beyond an edge that was not looked for.
+    neglected: f64,
 }
 
 impl<const K: usize> Ord for Part<K> {
@@ -159,9 +164,10 @@ impl<const K: usize> Part<K> {
                 .filter(|(a, b)| a != b);
             let axis = usize::from(along_y.count() > along_x.count());
             let piece = super::lines::integrate(integrand, &rectangle, axis, most);
-            return Self { cell, rectangle, piece, whole };
+            return Self { cell, rectangle, piece, whole, neglected: 0.0 };
         }
-        Self { cell, rectangle, piece: of_grid(&rectangle, &grid), whole }
+        let neglected = if whole || empty { 0.0 } else { most };
+        Self { cell, rectangle, piece: of_grid(&rectangle, &grid), whole, neglected }
     }
 }
 

@@ -59,8 +59,9 @@ enum Node {
 
 impl Partition {
     /// Cuts until no cell holds more than `most` points. Wide margins without points become cells
-    /// of their own. `lengths` are the lengths of a unit along the axes, by which widths are
-    /// compared.
+    /// of their own, ever narrower towards the points: what lies beyond them, the tail of a lobe,
+    /// is as wide as they are, and a rule with few nodes in a much wider cell would not see it.
+    /// `lengths` are the lengths of a unit along the axes, by which widths are compared.
     pub fn grow(
         whole: Rectangle,
         mut points: Vec<[f64; 2]>,
@@ -123,15 +124,16 @@ fn choose_cut(
             [least.min(point[axis]), largest.max(point[axis])]
         })
     });
-    for (axis, [least, largest]) in ends.into_iter().enumerate() {
+    // Of the margins the one that is widest against the points, but for a quarter of it.
+    let margins = [0, 1].into_iter().flat_map(|axis| {
+        let [least, largest] = ends[axis];
+        let (below, above) = (least - cell.from[axis], cell.to[axis] - largest);
         let range = largest - least;
-        // A margin at least as wide as all the points goes, but for a quarter of that width.
-        if least - cell.from[axis] > range && range > 0.0 {
-            return Some((axis, least - 0.25 * range));
-        }
-        if cell.to[axis] - largest > range && range > 0.0 {
-            return Some((axis, largest + 0.25 * range));
-        }
+        [(below / range, axis, least - 0.25 * below), (above / range, axis, largest + 0.25 * above)]
+    });
+    let wide = margins.filter(|margin| margin.0 > 1.0 && margin.0.is_finite());
+    if let Some((_, axis, at)) = wide.max_by(|a, b| a.0.total_cmp(&b.0)) {
+        return Some((axis, at));
     }
     let width = |axis: usize| (ends[axis][1] - ends[axis][0]) * lengths[axis];
     let axis = usize::from(width(1) > width(0));
