@@ -5,7 +5,8 @@
 //! cargo run --release --example certificate -- --check # fails if they say something else
 //! ```
 //!
-//! The same measurements as in the tests, on the same list of models, at full size.
+//! The same measurements as in the tests, on the same list of models, at full size. Fails, and
+//! writes nothing, if samples do not do what models say.
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
@@ -34,6 +35,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         bar.set_message(double.name);
         rows.push(Row::measure(index, single, double, &pairs));
         bar.inc(1);
+    }
+    let least = page::least(&rows);
+    let faults: Vec<String> = rows.iter().filter_map(|row| row.fault(least)).collect();
+    if !faults.is_empty() {
+        return Err(format!("samples are not what the models say:\n{}", faults.join("\n")).into());
     }
     bar.set_message("seeded bugs");
     let suite = Suite::new();

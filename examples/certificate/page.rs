@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
+use crate::common::measure::sampling::WEIGHT_ULPS;
 use crate::common::measure::sampling::chi_squared::least_of;
 use crate::common::mutation::mutant::Outcome;
 use crate::row::{ANGLES, PAIRS, Row, SIZE};
@@ -19,11 +20,20 @@ source, in one operation, it answers something else. Nothing of this is in the c
 (`tests/common/mutation`) run once for each bug, which counts as found if at least one fails. They
 all pass when no bug is seeded.";
 
+/// How many χ² there are.
+fn tests(rows: &[Row]) -> usize {
+    rows.iter().map(|row| 2 * row.sampling.len()).sum()
+}
+
+/// What all p-values exceed with probability 0.99 if all samplers are right.
+pub(crate) fn least(rows: &[Row]) -> f64 {
+    least_of(tests(rows))
+}
+
 /// What the columns mean.
 fn legend(rows: &[Row]) -> String {
     let directions = rows.first().map_or(0, |row| row.sampling.len());
-    let tests = 2 * directions * rows.len();
-    let (draws, least) = (SIZE.draws, least_of(tests));
+    let (draws, tests, least) = (SIZE.draws, tests(rows), least(rows));
     format!(
         "- **Largest albedo.** ∫ f cosθ dω by adaptive cubature of `eval` in `f64` at {ANGLES} angles of
   the viewer from 0° to 89.99°, along both axes where the model is anisotropic; brightest channel.
@@ -39,9 +49,12 @@ fn legend(rows: &[Row]) -> String {
   numbers for which `sample` fails.
 - **Smallest p.** {draws} samples from each of these directions in `f64` and as many in `f32`, counted
   in about 256 cells that follow the lobe, against the integral of `pdf` over each cell; the least
-  probability of a χ² as large. In {tests} such tests of samplers without a fault, a p below {least:.1e}
-  turns up with a chance of 1 %.
-- **Weight.** How far the weight of a sample is from `eval` · cosθ/`pdf`, in units in the last place.
+  probability of a χ² as large, 0 if a sample falls where none can. In {tests} such tests of samplers
+  without a fault, a p below {least:.1e} turns up with a chance of 1 %. The uniform numbers have 53
+  bits, those in `f32` are rounded down to 24 significant ones: numbers in steps of 2⁻²⁴ would be 0, which
+  may be the end of a tail, once in 1.7·10⁷ times.
+- **Weight.** How far the weight of a sample is from `eval` · cosθ/`pdf`, in units in the last place; in
+  theory, by counting roundings, no more than {WEIGHT_ULPS:.0}.
 - **Bugs found.** Of the bugs below those in an operation on the way to the model's answers."
     )
 }

@@ -7,7 +7,9 @@ use crate::common::directions::pairs_to_grazing;
 use crate::common::measure::energy::{Energy, energy};
 use crate::common::measure::precision::{Precision, Quantity, precision};
 use crate::common::measure::reciprocity::{Reciprocity, reciprocity};
-use crate::common::measure::sampling::{Sampling, Size, measure, viewers};
+use crate::common::measure::sampling::{
+    ALBEDO_Z, EXCESS, Sampling, Size, WEIGHT_ULPS, measure, viewers,
+};
 use crate::common::models::Entry;
 
 /// Angles of the viewer for the albedo.
@@ -99,5 +101,25 @@ impl Row {
     pub(crate) fn weight_ulps(&self) -> f64 {
         let both = |seen: &Sampling| seen.double.weight_ulps.max(seen.single.weight_ulps);
         self.sampling.iter().map(both).fold(0.0, f64::max)
+    }
+
+    /// How far mean weights are from the albedo, in standard errors.
+    fn albedo_z(&self) -> f64 {
+        let both = |seen: &Sampling| seen.double.albedo_z.max(seen.single.albedo_z);
+        self.sampling.iter().map(both).fold(0.0, f64::max)
+    }
+
+    /// What the samples do that they must not, if no right sampler has a p below `least`.
+    pub(crate) fn fault(&self, least: f64) -> Option<String> {
+        let (p, excess) = (self.p_value(), self.mass_error());
+        let (ulps, z) = (self.weight_ulps(), self.albedo_z());
+        let right = p > least && excess <= EXCESS && ulps <= WEIGHT_ULPS && z <= ALBEDO_Z;
+        (!right).then(|| {
+            let Self { name, .. } = self;
+            format!(
+                "{name}: p {p:.1e}, |∫ pdf + P − 1| {excess:.1e}, weight {ulps:.1} ulp, \
+                 mean weight {z:.1} standard errors from the albedo"
+            )
+        })
     }
 }
