@@ -16,8 +16,6 @@ pub struct Cubature<const K: usize> {
     pub integrals: Vec<[f64; K]>,
     /// Estimates of the error in each cell, of all functions together.
     pub errors: Vec<f64>,
-    /// The sum over all cells and functions of the estimates of the error.
-    pub error: f64,
 }
 
 impl<const K: usize> Cubature<K> {
@@ -61,8 +59,7 @@ pub fn integrate<const K: usize>(
             *sum += value;
         }
     }
-    let error = heap.iter().map(|part| part.piece.error()).sum();
-    Cubature { integrals, errors, error }
+    Cubature { integrals, errors }
 }
 
 /// The functions, with a count of how often they were asked.
