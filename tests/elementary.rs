@@ -161,6 +161,61 @@ fn mantissa(word: u64) -> f64 {
 }
 
 #[test]
+fn angle_squared_single() {
+    // acos(1 − x) = 2 asin √(x/2), which has digits near 0.
+    let exact = |x: f64| (2.0 * (0.5 * x).sqrt().asin()).powi(2);
+    check_single("angle_squared", &sweep(0.0, 1.0), 1.0, Real::angle_squared, exact);
+}
+
+/// The largest error of the logarithm in (x/(x + rest))ⁿ, in units of the logarithm's last place,
+/// and that of the exponential, seen where the logarithm is small.
+#[test]
+fn power_of_part_single() {
+    let mut worst = 0.0_f64;
+    for (x, y) in words(8).take(2_000_000).zip(words(9)) {
+        let unit = |word: u64| (word >> 40) as f64 / (1 << 24) as f64;
+        let (x, rest) =
+            (2.0_f64.powf(60.0 * unit(x) - 30.0), 2.0_f64.powf(160.0 * unit(y) - 100.0));
+        let (x, rest) = (x as f32, rest as f32);
+        let exact = -(f64::from(rest) / f64::from(x)).ln_1p();
+        // As large an exponent as the result can bear.
+        for power in [0.01, 1.0, 80.0] {
+            let exponent = (power / -exact) as f32;
+            let depth = -exact * f64::from(exponent);
+            let want = (-depth).exp();
+            let got = f64::from(Real::power_of_part(x, rest, exponent));
+            let unit = 0.5 * f64::from(f32::EPSILON);
+            worst = worst.max(((got / want - 1.0).abs() / unit - 2.0) / depth.max(1.0));
+        }
+    }
+    println!("power_of_part: {worst:.3} units of rounding for each unit of the logarithm");
+    assert!(worst < 9.0, "{worst}");
+    assert_eq!(Real::power_of_part(0.25_f32, 0.75, 0.0), 1.0);
+    assert_eq!(Real::power_of_part(1e-30_f32, 1.0, 1e8), 0.0);
+}
+
+#[test]
+fn power_of_part_double() {
+    let mut worst = 0.0_f64;
+    for (x, y) in words(8).take(200_000).zip(words(9)) {
+        let unit = |word: u64| (word >> 40) as f64 / (1 << 24) as f64;
+        let (x, rest) =
+            (2.0_f64.powf(60.0 * unit(x) - 30.0), 2.0_f64.powf(160.0 * unit(y) - 100.0));
+        let exact = -(rest / x).ln_1p();
+        for power in [0.01, 1.0, 80.0, 600.0] {
+            let exponent = power / -exact;
+            let got = Real::power_of_part(x, rest, exponent);
+            let unit = 0.5 * f64::EPSILON;
+            worst = worst.max(((got / (-power).exp() - 1.0).abs() / unit - 2.0) / power.max(1.0));
+        }
+    }
+    println!("power_of_part: {worst:.3} units of rounding for each unit of the logarithm");
+    assert!(worst < 7.0, "{worst}");
+    assert_eq!(Real::power_of_part(0.25_f64, 0.75, 0.0), 1.0);
+    assert_eq!(Real::power_of_part(1e-300_f64, 1.0, 1e8), 0.0);
+}
+
+#[test]
 fn error_function_single() {
     check_single("erf", &sweep(-12.0, 12.0), 0.55, Real::erf, libm::erf);
     check_single("erfc", &sweep(-12.0, 12.0), 0.6, Real::erfc, libm::erfc);
@@ -224,7 +279,7 @@ impl<'a> Reference<'a> {
 fn double() {
     const TABLE: &str = include_str!("data/elementary.csv");
     type Function = fn(f64, f64) -> f64;
-    let functions: [(&str, f64, Function); 14] = [
+    let functions: [(&str, f64, Function); 15] = [
         ("exp", 1.0, |x, _| Real::exp(x)),
         ("exp_m1", 1.25, |x, _| Real::exp_m1(x)),
         ("ln", 0.8, |x, _| Real::ln(x)),
@@ -235,6 +290,7 @@ fn double() {
         ("tan", 1.3, |x, _| Real::tan(x)),
         ("asin", 1.0, |x, _| Real::asin(x)),
         ("acos", 1.25, |x, _| Real::acos(x)),
+        ("angle_squared", 1.0, |x, _| Real::angle_squared(x)),
         ("atan2", 1.4, |y, x| Real::atan2(y, x)),
         ("erf", 1.25, |x, _| Real::erf(x)),
         ("erfc", 1.5, |x, _| Real::erfc(x)),
@@ -427,6 +483,7 @@ bits! {
     tan(-100.0, 100.0) 0xb40d43947750bd3b
     asin(-1.0, 1.0) 0x4568fe929415346d
     acos(-1.0, 1.0) 0x368d677894e142ba
+    angle_squared(0.0, 1.0) 0xe4805b1a54c19d4e
     atan2(-3.0, 3.0) 0x432e0f954736f8b5
     erf(-5.0, 5.0) 0x38afbd3e4995d575
     erfc(-5.0, 9.0) 0xb8c5b4a7cb067efb
@@ -448,6 +505,7 @@ bits! {
     tan(-100.0, 100.0) 0xfdb5c51e7595681b
     asin(-1.0, 1.0) 0x48c456ca6daf2443
     acos(-1.0, 1.0) 0x542ed0d5a7e2e6a8
+    angle_squared(0.0, 1.0) 0xb475227bf52b31a2
     atan2(-3.0, 3.0) 0x689baba004159ade
     erf(-5.0, 5.0) 0x3fe314bcfabfd621
     erfc(-5.0, 9.0) 0xfa862b7188b6eb79

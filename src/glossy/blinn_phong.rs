@@ -4,7 +4,7 @@ use super::cosine_power::power_of_cosine;
 use super::lobe::check_lobe;
 use super::mirror::unit_viewer;
 use crate::brdf::{Brdf, Sample};
-use crate::direction::{Pair, above_surface, reflect};
+use crate::direction::{above_surface, reflect};
 use crate::error::ParameterError;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector, lift};
@@ -37,8 +37,8 @@ use crate::sampling::uniform;
 /// [Phong](crate::Phong) lobe of exponent n there. Out of the plane it does not: at grazing it is
 /// much narrower across than along.
 ///
-/// N·H comes from sin² near the centre; the relative error in `f32` is at most
-/// 5·10⁻⁷ (1 + n (1 − S)/S) with S = N·H.
+/// (N·H)² is z²/(x² + y² + z²) of wi + wo, a power without a root; the relative error in `f32` is
+/// at most 5·10⁻⁷ (1 + n (1 − S)/S) with S = N·H.
 ///
 /// Sampled by half vectors with density (n + 2)/(2π) (N·H)ⁿ⁺¹, that is
 /// (n + 2)/(8π) (N·H)ⁿ⁺¹/(V·H) per steradian of `wi`. The directional albedo is an integral over
@@ -103,14 +103,15 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let pair = Pair::<T>::new(wi, wo);
-        let value = self.constant * half_vector_power(&pair, self.exponent);
-        C::choose(pair.above, self.specular * value, C::splat(T::lit(0.0)))
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
+        let value = self.constant * Halfway::<T>::new(wi, wo).power(self.exponent);
+        C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        self.pdf_of(&Pair::new(wi, wo))
+        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
+        self.pdf_of(above, &Halfway::new(wi, wo))
     }
 
     #[inline(always)]
@@ -127,13 +128,13 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
         // Half vectors that the viewer sees from behind give no direction.
         let cos_d = Vector::dot(viewer, h);
         let drawn = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)).and(cos_d.gt(zero));
-        // f cosθᵢ / pdf, where N·L < 2 (V·H)(N·H) makes the quotient by N·H harmless. All from the
-        // rounded direction, as in `eval` and `pdf`: at grazing the V·H of the drawn half vector
-        // is a small difference.
-        let pair = Pair::new(wi, wo);
-        let quotient = pair.cos_d * wi.z() / T::select(drawn, pair.cos_h, one);
-        let scale = self.constant * T::lit(4.0 * TAU) / (self.exponent + two);
-        let pdf = self.pdf_of(&pair);
+        // f cosθᵢ / pdf, where N·L < |wi + wo|·(N·H) makes the quotient by N·H harmless. All from
+        // the rounded direction, as in `eval` and `pdf`: at grazing the V·H of the drawn half
+        // vector is a small difference.
+        let halfway = Halfway::new(wi, wo);
+        let quotient = halfway.whole() * wi.z() / T::select(drawn, halfway.height, one);
+        let scale = self.constant * T::lit(2.0 * TAU) / (self.exponent + two);
+        let pdf = self.pdf_of(drawn, &halfway);
         Sample { wi, weight: self.specular * (scale * quotient), pdf }
             .only_where(drawn.and(pdf.gt(zero)))
     }
@@ -183,18 +184,42 @@ impl<T: Real, C> BlinnPhong<C, T> {
     }
 
     #[inline(always)]
-    fn pdf_of(&self, pair: &Pair<T>) -> T {
-        let (one, two) = (T::lit(1.0), T::lit(2.0));
-        let density = (self.exponent + two) * T::lit(0.125 * FRAC_1_PI);
-        let cos_d = T::select(pair.above, pair.cos_d, one);
-        let value = density * half_vector_power(pair, self.exponent) * pair.cos_h / cos_d;
-        T::select(pair.above, value.min(T::max_finite()), T::lit(0.0))
+    fn pdf_of(&self, above: T::Mask, halfway: &Halfway<T>) -> T {
+        // (n + 2)/(8π) (N·H)ⁿ (N·H)/(V·H), where V·H is half the length of wi + wo.
+        let density = (self.exponent + T::lit(2.0)) * T::lit(0.25 * FRAC_1_PI);
+        let whole = T::select(above, halfway.whole(), T::lit(1.0));
+        let value = density * halfway.power(self.exponent) * (halfway.height / whole);
+        T::select(above, value.min(T::max_finite()), T::lit(0.0))
     }
 }
 
-/// (N·H)ⁿ.
-#[inline(always)]
-fn half_vector_power<T: Real>(pair: &Pair<T>, exponent: T) -> T {
-    let sin_squared = pair.h.x() * pair.h.x() + pair.h.y() * pair.h.y();
-    power_of_cosine(pair.cos_h, sin_squared, exponent)
+/// The vector wi + wo, twice V·H long: its component along the normal, and the squares of its
+/// components along the normal and across.
+struct Halfway<T> {
+    height: T,
+    along: T,
+    across: T,
+}
+
+impl<T: Real> Halfway<T> {
+    #[inline(always)]
+    fn new(wi: T::Vec3, wo: T::Vec3) -> Self {
+        let sum = wi + wo;
+        // Two directions that graze so much that the square has no digits, or is 0, count as
+        // grazing less: 10⁻¹⁹ radians in single precision.
+        let along = sum.z().squared().max(T::lit(4.0) / T::max_finite());
+        Self { height: sum.z(), along, across: sum.x().squared() + sum.y().squared() }
+    }
+
+    /// |wi + wo|².
+    #[inline(always)]
+    fn whole(&self) -> T {
+        self.along + self.across
+    }
+
+    /// (N·H)ⁿ, without a root.
+    #[inline(always)]
+    fn power(&self, exponent: T) -> T {
+        self.along.power_of_part(self.across, exponent * T::lit(0.5))
+    }
 }

@@ -13,23 +13,20 @@ use crate::real::Real;
 pub(super) fn power_of_versine<T: Real>(versine: T, exponent: T) -> T {
     let (zero, one) = (T::lit(0.0), T::lit(1.0));
     let positive = versine.lt(one);
-    let logarithm = T::select(positive, -versine, zero).ln_1p();
-    T::select(positive, (exponent * logarithm).exp(), zero)
+    let versine = T::select(positive, versine, zero);
+    T::select(positive, (one - versine).power_of_part(versine, exponent), zero)
 }
 
 /// cosⁿ of a unit vector's height and of the square of its sine; zero where the cosine is not
-/// positive. Below 45° the sine is the smaller one and has the digits, above the cosine.
+/// positive. The power of a part of cos² + sin², whichever of the two has the digits.
 #[inline(always)]
 pub(super) fn power_of_cosine<T: Real>(cos: T, sin_squared: T, exponent: T) -> T {
     let (zero, half, one) = (T::lit(0.0), T::lit(0.5), T::lit(1.0));
+    // The square of a smaller one is no normal number.
+    let least = T::lit(2.0) / T::max_finite().sqrt();
     let positive = cos.gt(zero);
-    let near = sin_squared.lt(half);
-    let logarithm = T::select(
-        near,
-        T::select(near, -sin_squared, zero).ln_1p() * half,
-        T::select(positive, cos, one).ln(),
-    );
-    T::select(positive, (exponent * logarithm).exp(), zero)
+    let cos = T::select(positive, cos, one).max(least);
+    T::select(positive, cos.squared().power_of_part(sin_squared, exponent * half), zero)
 }
 
 /// The fraction of the weights cosⁿ, over a quarter turn, that lies below the angle

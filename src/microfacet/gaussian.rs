@@ -41,6 +41,8 @@ use crate::sampling::uniform;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaussian<T = f32> {
     roughness: T,
+    /// 1/m².
+    steepness: T,
     peak: T,
     tilts: Tilts<T>,
 }
@@ -55,7 +57,8 @@ impl<T: Real> Gaussian<T> {
             roughness.outside(lower, upper)
         })?;
         let (tilts, all) = Tilts::new(T::lit(FRAC_PI_2) / roughness);
-        Ok(Self { roughness, peak: T::lit(4.0 / (PI * PI * PI)) / all, tilts })
+        let steepness = T::lit(1.0) / roughness.squared();
+        Ok(Self { roughness, steepness, peak: T::lit(4.0 / (PI * PI * PI)) / all, tilts })
     }
 
     /// The angle in radians at which D has fallen to 1/e.
@@ -67,7 +70,7 @@ impl<T: Real> Gaussian<T> {
 
 lift! {
     [T: Real] Gaussian<T> => Gaussian<U>:
-    Gaussian { roughness: number, peak: number, tilts: part }
+    Gaussian { roughness: number, steepness: number, peak: number, tilts: part }
 }
 
 impl<T: Real> Distribution<T> for Gaussian<T> {
@@ -75,10 +78,12 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
     fn density(&self, h: T::Vec3) -> T {
         let zero = T::lit(0.0);
         let above = h.z().gt(zero);
-        let sin = (h.x().squared() + h.y().squared()).min(T::max_finite()).sqrt();
-        let angle = sin.atan2(T::select(above, h.z(), T::lit(1.0)));
-        // From 10⁴ on the exponential is zero in every number; the bound keeps it from infinity.
-        let exponent = (angle / self.roughness).squared().min(T::lit(1e4));
+        let (one, cos) = (T::lit(1.0), T::select(above, h.z(), T::lit(1.0)));
+        // 1 − cosα with all digits: from sin² near the normal, and near the horizon from the cosine
+        // alone, which the rounding of the length of h does not reach there.
+        let from_sine = (h.x().squared() + h.y().squared()) / (one + cos);
+        let versine = T::select(cos.lt(T::lit(0.5)), one - cos, from_sine);
+        let exponent = versine.min(one).angle_squared() * self.steepness;
         T::select(above, self.peak * (-exponent).exp(), zero)
     }
 

@@ -84,7 +84,13 @@ macro_rules! float {
                 math::$precision::sin_cos(self)
             }
 
-            functions!($precision: floor sqrt rsqrt exp exp_m1 ln ln_1p tan asin acos erf erfc erf_inv);
+            #[inline(always)]
+            fn power_of_part(self, rest: Self, exponent: Self) -> Self {
+                math::$precision::power_of_part(self, rest, exponent)
+            }
+
+            functions!($precision: floor sqrt rsqrt exp exp_m1 ln ln_1p tan asin acos);
+            functions!($precision: angle_squared erf erfc erf_inv);
             // What only this precision has a formula of its own for.
             functions!($precision: $($own)*);
             functions_of_two!($precision: powf atan2);

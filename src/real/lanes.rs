@@ -134,10 +134,19 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
         self.compare(other, T::le)
     }
     #[inline(always)]
+    fn power_of_part(self, rest: Self, exponent: Self) -> Self {
+        let mut out = self.0;
+        for (lane, value) in out.iter_mut().enumerate() {
+            *value = value.power_of_part(rest.0[lane], exponent.0[lane]);
+        }
+        Self(out)
+    }
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         (self.map(T::sin), self.map(T::cos))
     }
 
-    lane_functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos erf erfc ierfc erf_inv);
+    lane_functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
+    lane_functions!(angle_squared erf erfc ierfc erf_inv);
     lane_functions_of_two!(min max copysign powf atan2);
 }

@@ -44,6 +44,7 @@ pub trait Mask: Copy + Debug {
 /// | `tan` | 0.55 | 1.3 | for \|x\| ≤ 10⁴ |
 /// | `asin` | 0.55 | 1.0 | |
 /// | `acos` | 1.2 | 1.25 | |
+/// | `angle_squared` | 1.0 | 1.0 | for 0 ≤ x ≤ 1 |
 /// | `atan2` | 1.5 | 1.4 | |
 /// | `erf` | 0.55 | 1.25 | |
 /// | `erfc` | 0.6 | 1.5 | in the tail too, down to underflow |
@@ -161,6 +162,30 @@ pub trait Real:
     /// `self` to a real power, for `self >= 0`; 0⁰ = 1.
     #[must_use]
     fn powf(self, exponent: Self) -> Self;
+    /// (x/(x + `rest`))ⁿ for `self` = x > 0, `rest` ≥ 0 and an `exponent` n ≥ 0, where x + `rest` is
+    /// finite and x/(x + `rest`) a normal number. Elsewhere the answer has no meaning.
+    ///
+    /// The power of a number close to 1 of which it is known what is missing there: cosⁿα of
+    /// cos²α and sin²α. It keeps the digits of both, and needs no root and no quotient of them. Its
+    /// logarithm has an error of at most five units in its last place, which the exponent magnifies.
+    ///
+    /// ```
+    /// use brdf::Real;
+    ///
+    /// let power = Real::power_of_part(1.0_f32, 1e-9, 1e8); // 1 + 1e-9 is 1 in f32
+    /// assert!((power - 0.9048374).abs() < 1e-7); // exp(−0.1)
+    /// ```
+    #[must_use]
+    fn power_of_part(self, rest: Self, exponent: Self) -> Self {
+        let (zero, one, whole) = (Self::lit(0.0), Self::lit(1.0), self + rest);
+        let near = rest.lt(self);
+        let logarithm = Self::select(
+            near,
+            Self::select(near, -(rest / whole), zero).ln_1p(),
+            Self::select(near, one, self / whole).ln(),
+        );
+        (exponent * logarithm).exp()
+    }
     /// Sine and cosine of an angle in radians.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
@@ -183,6 +208,12 @@ pub trait Real:
     /// Arc cosine in [0, π]; arguments outside [−1, 1] count as the nearest end.
     #[must_use]
     fn acos(self) -> Self;
+    /// The square of the angle in radians whose versine 1 − cos is `self`, acos²(1 − x), for
+    /// 0 ≤ x ≤ 1: no root, and all digits near 0, where it is 2x.
+    #[must_use]
+    fn angle_squared(self) -> Self {
+        (self * Self::lit(0.5)).sqrt().asin().squared() * Self::lit(4.0)
+    }
     /// The angle of the point (x = `other`, y = `self`) in [−π, π]; 0 at the origin.
     #[must_use]
     fn atan2(self, other: Self) -> Self;

@@ -129,9 +129,13 @@ impl Real for Traced {
     fn le(self, other: Self) -> TracedMask {
         TracedMask(record(|[a, b, _]| as_mask(a <= b), [self.0, other.0, 0], 0.0))
     }
+    fn power_of_part(self, rest: Self, exponent: Self) -> Self {
+        let power = |[part, rest, exponent]: [f64; 3]| Real::power_of_part(part, rest, exponent);
+        Self(record(power, [self.0, rest.0, exponent.0], 0.0))
+    }
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
-    functions!(abs floor sqrt exp exp_m1 ln ln_1p sin cos tan asin acos erf erfc erf_inv);
+    functions!(abs floor sqrt exp exp_m1 ln ln_1p sin cos tan asin acos angle_squared erf erfc erf_inv);
     functions_of_two!(min max copysign powf atan2);
 }

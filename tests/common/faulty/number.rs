@@ -132,6 +132,13 @@ impl Real for Faulty {
         let result = Real::powi(self.0, exponent);
         Self(at(Operation::Powi, self.0, f64::from(exponent), result))
     }
+    /// Of the arguments the part and the exponent are shown to a fault.
+    #[inline(always)]
+    #[track_caller]
+    fn power_of_part(self, rest: Self, exponent: Self) -> Self {
+        let result = Real::power_of_part(self.0, rest.0, exponent.0);
+        Self(at(Operation::PowerOfPart, self.0, exponent.0, result))
+    }
     /// Of the bounds only the upper one is shown to a fault.
     #[inline(always)]
     #[track_caller]
@@ -142,6 +149,7 @@ impl Real for Faulty {
     comparisons!(lt Less le LessOrEqual gt Greater ge GreaterOrEqual);
     functions!(abs Abs floor Floor sqrt Sqrt rsqrt Rsqrt squared Squared);
     functions!(exp Exp exp_m1 ExpM1 ln Ln ln_1p Ln1p);
-    functions!(sin Sin cos Cos tan Tan asin Asin acos Acos erf Erf erfc Erfc erf_inv ErfInv);
+    functions!(sin Sin cos Cos tan Tan asin Asin acos Acos angle_squared AngleSquared);
+    functions!(erf Erf erfc Erfc erf_inv ErfInv);
     functions_of_two!(min Min max Max copysign Copysign powf Powf atan2 Atan2);
 }

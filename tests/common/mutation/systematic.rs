@@ -58,6 +58,8 @@ fn faults(operation: Operation) -> &'static [(&'static str, Wrong)] {
         | Operation::Tan
         | Operation::Asin
         | Operation::Acos
+        | Operation::PowerOfPart
+        | Operation::AngleSquared
         | Operation::Atan2
         | Operation::Erf
         | Operation::Erfc

@@ -70,3 +70,13 @@ pub(in crate::real) fn ln_1p(x: f64) -> f64 {
     let y = with_limits(u, sum((mantissa - 1.0) + 0.5 * lost * scale, exponent(biased)));
     if x.abs() < 1e-20 { x } else { y }
 }
+
+/// ln(x/(x + rest)) for a normal quotient.
+#[inline(always)]
+pub(super) fn ln_of_part(x: f64, rest: f64) -> f64 {
+    let whole = x + rest;
+    let (mantissa, biased) = split(x / whole);
+    // Near 1 what is missing there has digits, also where the quotient has none.
+    let (near, far) = (-rest / whole, mantissa - 1.0);
+    sum(if biased == 1023 { near } else { far }, exponent(biased))
+}

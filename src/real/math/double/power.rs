@@ -2,7 +2,8 @@
 //!
 //! log₂ m = 2/(3 ln 2) · s · (3 + s² + …) for √½ ≤ m < √2, s = (m − 1)/(m + 1).
 
-use super::logarithm::split_any;
+use super::exponential::exp;
+use super::logarithm::{ln_of_part, split_any};
 use super::{ROUND, head, scale};
 
 /// 2/(3 ln 2), its head and the rest.
@@ -80,4 +81,9 @@ pub(in crate::real) fn powf(x: f64, exponent: f64) -> f64 {
     let at_end = (x == 0.0) | (x == f64::INFINITY);
     let result = if at_end { end } else { inside };
     if exponent == 0.0 { 1.0 } else { result }
+}
+
+#[inline(always)]
+pub(in crate::real) fn power_of_part(x: f64, rest: f64, exponent: f64) -> f64 {
+    exp(exponent * ln_of_part(x, rest))
 }

@@ -46,6 +46,17 @@ pub(in crate::real) fn acos(x: f32) -> f32 {
     if near_one { outer } else { central }
 }
 
+/// acos²(1 − x) for 0 ≤ x ≤ 1.
+#[inline(always)]
+pub(in crate::real) fn angle_squared(x: f32) -> f32 {
+    let rest = polynomial!(
+        x;
+        0.33333355, 0.088880375, 0.028684435, 0.0094314935, 0.0064563453, -0.0040024463,
+        0.0075634443, -0.00462125, 0.001675149
+    );
+    (x + x) + x * x * rest
+}
+
 #[inline(always)]
 pub(in crate::real) fn atan2(y: f32, x: f32) -> f32 {
     let (ax, ay) = (x.abs(), y.abs());

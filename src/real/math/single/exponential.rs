@@ -1,6 +1,6 @@
 //! eˣ and eˣ − 1: x = n ln 2 + r with |r| ≤ ln 2 / 2, a polynomial in r, and 2ⁿ by its bits.
 
-use super::ROUND;
+use super::{ROUND, exp2_scale};
 
 const LOG2_E: f32 = core::f32::consts::LOG2_E;
 /// ln 2 in two parts; the first has 16 bits, so that its product with n is exact.
@@ -22,12 +22,7 @@ pub(in crate::real) fn exp(x: f32) -> f32 {
     let n = shifted - ROUND;
     let r = (x - n * LN_2_HIGH) - n * LN_2_LOW;
     let y = 1.0 + (r + r * r * remainder(r));
-    // 2ⁿ in two factors: the first product is exact, the second rounds once if it is subnormal.
-    let power = shifted.to_bits().wrapping_sub(ROUND.to_bits() - 254);
-    let half = power >> 1;
-    // Below the smallest number the second factor is zero: a product that underflows is slow.
-    let rest = if x < -104.0 { 0 } else { power.wrapping_sub(half) << 23 };
-    y * f32::from_bits(half << 23) * f32::from_bits(rest)
+    exp2_scale(y, shifted, x < -104.0)
 }
 
 #[inline(always)]

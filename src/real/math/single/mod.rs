@@ -7,13 +7,15 @@ mod arc;
 mod error_function;
 mod exponential;
 mod logarithm;
+mod power;
 mod root;
 mod trigonometric;
 
-pub(in crate::real) use arc::{acos, asin, atan2};
+pub(in crate::real) use arc::{acos, angle_squared, asin, atan2};
 pub(in crate::real) use error_function::{erf, erf_inv, erfc, ierfc};
 pub(in crate::real) use exponential::{exp, exp_m1};
 pub(in crate::real) use logarithm::{ln, ln_1p, powf};
+pub(in crate::real) use power::power_of_part;
 pub(in crate::real) use root::{rsqrt, sqrt};
 pub(in crate::real) use trigonometric::{sin_cos, tan};
 
@@ -31,6 +33,17 @@ pub(in crate::real) fn floor(x: f32) -> f32 {
     let nearest = (x + shift) - shift;
     let below = if nearest > x { nearest - 1.0 } else { nearest };
     if x.abs() < WHOLE { below.copysign(x) } else { x }
+}
+
+/// `y`·2ⁿ for `shifted` = n + [`ROUND`] with n in −160..=130, or 0.
+#[inline(always)]
+fn exp2_scale(y: f32, shifted: f32, zero: bool) -> f32 {
+    // 2ⁿ in two factors: the first product is exact, the second rounds once if it is subnormal.
+    let power = shifted.to_bits().wrapping_sub(ROUND.to_bits() - 254);
+    let half = power >> 1;
+    // Below the smallest number the second factor is zero: a product that underflows is slow.
+    let rest = if zero { 0 } else { power.wrapping_sub(half) << 23 };
+    y * f32::from_bits(half << 23) * f32::from_bits(rest)
 }
 
 /// 2ᵉ to 2⁻²⁹ of its size, for |e| ≤ 1000.

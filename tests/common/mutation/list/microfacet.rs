@@ -4,7 +4,7 @@ use std::f64::consts::{LN_2, PI, SQRT_2};
 
 use super::super::mutant::{LEFT, MINUS, Mutant, ONE, PLUS, RIGHT};
 use crate::common::faulty::Operation::{
-    Add, Div, Literal, Max, Min, Mul, Neg, Normalize, Sqrt, Squared, Sub, X,
+    Add, AngleSquared, Div, Literal, Max, Min, Mul, Neg, Normalize, Sqrt, Squared, Sub, X,
 };
 
 const BECKMANN: &str = "src/microfacet/beckmann.rs";
@@ -56,8 +56,8 @@ pub(super) static MUTANTS: [Mutant; 37] = [
         "first = ▸T::lit(SINE[k])", Literal, |coefficient, _, _| f64::from(u8::from(coefficient == 1.0))),
     Mutant::new("Gaussian", "constant without 1/π", GAUSSIAN,
         "peak: ▸T::lit(4.0 / (PI * PI * PI))", Literal, |_, _, _| 4.0 / (PI * PI)),
-    Mutant::new("Gaussian", "α/m for (α/m)²", GAUSSIAN,
-        "let exponent = (angle / self.roughness).▸squared()", Squared, LEFT),
+    Mutant::new("Gaussian", "sin²α for α²", GAUSSIAN,
+        "let exponent = versine.min(one).▸angle_squared()", AngleSquared, |versine, _, _| versine * (2.0 - versine)),
     Mutant::new("Gaussian", "samples from beyond the horizon", TILTS,
         "let more = ▸exponential * (self.front - sum) - self.beyond;", Sub, LEFT),
     Mutant::new("Blinn", "n + 1 for n + 2 in D", BLINN,
