@@ -39,7 +39,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let least = page::least(&rows);
     let faults: Vec<String> = rows.iter().filter_map(|row| row.fault(least)).collect();
     if !faults.is_empty() {
-        return Err(format!("samples are not what the models say:\n{}", faults.join("\n")).into());
+        bar.finish_and_clear();
+        eprintln!("{}", faults.join("\n"));
+        return Err(format!("samples of {} models are not what they say", faults.len()).into());
     }
     bar.set_message("seeded bugs");
     let suite = Suite::new();
