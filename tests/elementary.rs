@@ -233,6 +233,18 @@ fn error_function_single() {
     check_single("erf_inv", &sweep(-below_one, below_one), 3.5, Real::erf_inv, exact);
 }
 
+#[test]
+fn scaled_error_function_single() {
+    let mut worst = 0.0_f64;
+    for x in sweep(0.0, 20.0).into_iter().chain(sweep(0.0, f32::MAX)) {
+        let exact = Real::erfcx(f64::from(x));
+        // Below the least normal number there are fewer digits.
+        let allowed = exact.max(f64::from(f32::MIN_POSITIVE));
+        worst = worst.max(((f64::from(Real::erfcx(x)) - exact) / allowed).abs());
+    }
+    assert!(worst < 2.7e-7, "{worst:e}");
+}
+
 /// In `f32` it is accurate relative to the sum it serves.
 #[test]
 fn integral_of_the_error_function_single() {
@@ -487,6 +499,7 @@ bits! {
     atan2(-3.0, 3.0) 0x432e0f954736f8b5
     erf(-5.0, 5.0) 0x38afbd3e4995d575
     erfc(-5.0, 9.0) 0xb8c5b4a7cb067efb
+    erfcx(0.0, 20.0) 0x41571d90ad5ffc7e
     ierfc(0.0, 5.0) 0x38977ac123be2c3a
     erf_inv(-1.0, 1.0) 0x57bab2d979817fb5
 }
@@ -509,6 +522,7 @@ bits! {
     atan2(-3.0, 3.0) 0x689baba004159ade
     erf(-5.0, 5.0) 0x3fe314bcfabfd621
     erfc(-5.0, 9.0) 0xfa862b7188b6eb79
+    erfcx(0.0, 20.0) 0xf6cf434b879929c5
     ierfc(0.0, 5.0) 0x59b38d9c8612da74
     erf_inv(-1.0, 1.0) 0x12a6c429103578c5
 }

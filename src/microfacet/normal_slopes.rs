@@ -20,14 +20,15 @@ pub(super) fn slopes<T: Real>(u: [T; 2]) -> (T, T) {
 /// Slopes with the density of those that face `s`, a direction above the surface of roughness 1.
 #[inline(always)]
 pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
-    let (u, one) = (uniform(u), T::lit(1.0));
+    let u = uniform(u);
     let sin_squared = s.x().squared() + s.y().squared();
     // Seen from the normal all slopes count alike, and there is no azimuth to turn them to.
     let tilted = sin_squared.gt(T::lit(1e-36));
-    let sin = T::select(tilted, sin_squared, one).sqrt();
-    let (cos_phi, sin_phi) = (s.x() / sin, s.y() / sin);
-    let along = visible_slope(s.z(), sin, u[0]);
-    let across = (u[1] * T::lit(2.0) - one).erf_inv();
+    let sin_squared = T::select(tilted, sin_squared, T::lit(1.0));
+    let inverse_sin = sin_squared.rsqrt();
+    let (cos_phi, sin_phi) = (s.x() * inverse_sin, s.y() * inverse_sin);
+    let along = visible_slope(s.z(), sin_squared * inverse_sin, inverse_sin, u[0]);
+    let across = (u[1] * T::lit(2.0) - T::lit(1.0)).erf_inv();
     let (x, y) = slopes(u);
     (
         T::select(tilted, along * cos_phi - across * sin_phi, x),
@@ -41,55 +42,92 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
 /// C(x) = K(x)/K(cos/sin),  K(x) = cos erfc(−x) + sin exp(−x²)/√π
 /// ```
 ///
-/// is `u`, by four steps of Newton's method: on ln C where `u` is small, on √(1 − C) where it is
-/// large. Both are close to straight lines, the second because C ends in a parabola. What is left
-/// is an error of C below 2·10⁻¹³ in `f64` and 4·10⁻⁷ in `f32`, relative to `u` (1 + 2x²).
+/// is `u`, by steps of Householder's method of third order, two in `f32` and four in `f64`. What is
+/// left is an error of C below 2·10⁻¹³ in `f64` and 4·10⁻⁷ in `f32`, relative to `u` (1 + 2x²).
 #[inline(always)]
-fn visible_slope<T: Real>(cos: T, sin: T, u: T) -> T {
-    let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
+fn visible_slope<T: Real>(cos: T, sin: T, inverse_sin: T, u: T) -> T {
+    let one = T::lit(1.0);
     // Slope −∞ belongs to u = 0. Probability 10⁻³⁷ is what every number can represent.
     let u = u.max(T::lit(1e-37));
-    let small = u.lt(T::lit(0.5));
-    let largest = (cos / sin).min(T::lit(40.0));
-    let whole = two * cos + sin * largest.ierfc();
-    let (part, rest) = (u * whole, (one - u) * whole);
-    let parabola = T::lit(FRAC_1_SQRT_PI) / sin;
-    // The viewer's cosine only moves the slope up: this is the solution at grazing.
-    let smallest = -(-u.ln()).max(zero).sqrt();
-    let first = T::select(u.lt(T::lit(0.01)), smallest, first_guess(cos, sin, largest, u));
-    let x = iterate::<4, _>(
-        first,
-        #[inline(always)]
-        |x| {
-            let x = x.clamp(smallest, largest);
-            let gauss = (-x.squared()).exp();
-            let below = cos * (-x).erfc() + sin * gauss * T::lit(FRAC_1_SQRT_PI);
-            let facing = cos - x * sin;
-            // Near the upper end the difference is all rounding; the parabola there bounds it.
-            let bound = facing.squared() * T::select(x.gt(zero), gauss, one) * parabola;
-            let above = (whole - below).max(zero).min(bound);
-            let density = facing * gauss * T::lit(2.0 * FRAC_1_SQRT_PI);
-            let small_step = below * (part / below).ln();
-            let large_step = two * (above - (above * rest).sqrt());
-            x + T::select(small, small_step, large_step) / density.max(T::lit(1e-37))
-        },
-    );
-    x.clamp(smallest, largest)
+    // The largest slope, of u = 1, is approached: there C is flat.
+    let rest = (one - u).max(T::lit(0.25 * T::SPACING));
+    let largest = cos * inverse_sin;
+    let beyond = sin * largest.ierfc();
+    let whole = cos + cos + beyond;
+    let (part, rest) = (u * whole, rest * whole);
+    let sought = Sought { cos, sin, inverse_sin, part, short_of: rest - beyond };
+    // C ends in a parabola, which is steepest if exp(−x²) is 1: x cannot be closer to the end.
+    let to_end = (rest * inverse_sin * T::lit(SQRT_PI)).sqrt();
+    let first = first_guess(cos, sin, part).min(largest - T::lit(1.2) * to_end);
+    if T::SPACING > 1e-9 {
+        iterate::<2, _>(
+            first,
+            #[inline(always)]
+            |x| sought.closer(x),
+        )
+    } else {
+        iterate::<4, _>(
+            first,
+            #[inline(always)]
+            |x| sought.closer(x),
+        )
+    }
 }
 
-/// A slope within 0.3 of the one with distribution function `u`: one power law in erf x for each
-/// angle, the fit of Wenzel Jakob's "An improved visible normal sampling routine for the Beckmann
-/// distribution", 2014.
+/// The slope with K = `part`, which is also 2 cos − `short_of`.
+struct Sought<T> {
+    cos: T,
+    sin: T,
+    inverse_sin: T,
+    part: T,
+    short_of: T,
+}
+
+impl<T: Real> Sought<T> {
+    /// One step of Householder's method of third order.
+    ///
+    /// K is taken times exp(x²), which leaves one exponential and nothing that underflows.
+    #[inline(always)]
+    fn closer(&self, x: T) -> T {
+        let (zero, half, one) = (T::lit(0.0), T::lit(0.5), T::lit(1.0));
+        // The least `u` belongs to −9.23.
+        let x = x.max(T::lit(-9.3));
+        let facing = (self.cos - x * self.sin).max(T::lit(1e-20));
+        let inverse_facing = one / facing;
+        let below = x.lt(zero);
+        let tail = self.cos * x.abs().erfcx();
+        let missing = T::select(below, -self.part, self.short_of) * x.squared().exp();
+        let at_zero = self.sin * T::lit(FRAC_1_SQRT_PI);
+        let difference = missing + (T::select(below, tail, -tail) + at_zero);
+        // Near the end the difference is all rounding. No step that way can be longer.
+        let newton = (difference * (T::lit(0.5 * SQRT_PI) * inverse_facing))
+            .max(-half * facing * self.inverse_sin);
+        // The quotients −K″/(2K′) and K‴/(6K′) of derivatives.
+        let inverse_distance = self.sin * inverse_facing;
+        let second = x + half * inverse_distance;
+        let third = x * (x + inverse_distance) * T::lit(2.0 / 3.0) - T::lit(1.0 / 3.0);
+        let bent = newton * second;
+        x - newton * (one + bent) / (one + (bent + bent) + third * newton.squared())
+    }
+}
+
+/// A slope within 0.4 of the one with K = `part`, if that is below the largest one.
+///
+/// If exp(−x²)/√π were 2a(1 − a) with a = erfc(−x)/2, K were a polynomial of second degree in a. The
+/// inverse of the error function, to 0.01: x² from −ln(4a(1 − a)).
 #[inline(always)]
-fn first_guess<T: Real>(cos: T, sin: T, largest: T, u: T) -> T {
-    let one = T::lit(1.0);
-    let theta = sin.atan2(cos);
-    let power = one + theta * (T::lit(-0.876) + theta * (T::lit(0.4265) + theta * T::lit(-0.0594)));
-    let erf = largest.erf();
-    (erf - (one + erf) * (one - u).powf(power)).erf_inv()
+fn first_guess<T: Real>(cos: T, sin: T, part: T) -> T {
+    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let both = cos + sin;
+    let a = part / (both + (both.squared() - (part + part) * sin).max(zero).sqrt());
+    let product = T::lit(4.0) * a * (one - a).max(T::lit(0.25 * T::SPACING));
+    let ln = -product.ln();
+    let squared = ln * (T::lit(0.785) + T::lit(0.1) * ln) / (one + T::lit(0.1) * ln);
+    squared.max(zero).sqrt().copysign(a - T::lit(0.5))
 }
 
 const FRAC_1_SQRT_PI: f64 = 0.5 * FRAC_2_SQRT_PI;
+const SQRT_PI: f64 = 2.0 / FRAC_2_SQRT_PI;
 
 #[cfg(test)]
 mod tests {
@@ -108,7 +146,7 @@ mod tests {
                     let part = f64::from(j) / 200.0;
                     for u in [part, 1e-37_f64.powf(part), 1.0 - epsilon.powf(part)] {
                         let u = T::lit(u);
-                        let x = visible_slope(cos, sin, u).into();
+                        let x = visible_slope(cos, sin, T::lit(1.0) / sin, u).into();
                         let got = distribution_function(cos.into(), sin.into(), x);
                         let error = (got / u.into().max(1e-37) - 1.0).abs();
                         worst = worst.max(error / (1.0 + 2.0 * x * x));

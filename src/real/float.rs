@@ -43,6 +43,7 @@ macro_rules! float {
             type Vec3 = $vector;
 
             const VECTORIZES: bool = true;
+            const SPACING: f64 = Self::EPSILON as f64;
 
             #[inline(always)]
             #[allow(clippy::cast_possible_truncation, reason = "rounding a literal is the purpose")]
@@ -98,5 +99,5 @@ macro_rules! float {
     };
 }
 
-float!(f32, glam::Vec3, single, ierfc);
+float!(f32, glam::Vec3, single, erfcx ierfc);
 float!(f64, glam::DVec3, double,);

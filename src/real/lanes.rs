@@ -106,6 +106,8 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
     type Mask = Lanes<bool, N>;
     type Vec3 = Vector3<Self>;
 
+    const SPACING: f64 = T::SPACING;
+
     #[inline(always)]
     fn lit(value: f64) -> Self {
         Self([T::lit(value); N])
@@ -147,6 +149,6 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
     }
 
     lane_functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
-    lane_functions!(angle_squared erf erfc ierfc erf_inv);
+    lane_functions!(angle_squared erf erfc erfcx ierfc erf_inv);
     lane_functions_of_two!(min max copysign powf atan2);
 }

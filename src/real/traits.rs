@@ -48,6 +48,7 @@ pub trait Mask: Copy + Debug {
 /// | `atan2` | 1.5 | 1.4 | |
 /// | `erf` | 0.55 | 1.25 | |
 /// | `erfc` | 0.6 | 1.5 | in the tail too, down to underflow |
+/// | `erfcx` | | | to 2.7·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64` |
 /// | `ierfc` | | | x + ierfc x to 3.2·10⁻⁷ in `f32`, 3·10⁻¹⁶ in `f64` |
 /// | `erf_inv` | 3.5 | 2.0 | beyond ±1 the value at the largest number below 1 |
 /// | `sqrt`, `floor` | exact | exact | correctly rounded |
@@ -84,6 +85,10 @@ pub trait Real:
     /// Whether loops over these numbers become SIMD code, so that [batches](crate::batch) of them are
     /// worth compiling for several instruction sets.
     const VECTORIZES: bool = false;
+
+    /// The distance from 1 to the next larger number, which says how many steps of an iteration are
+    /// worth taking.
+    const SPACING: f64 = f64::EPSILON;
 
     /// The nearest number to a literal.
     #[must_use]
@@ -223,6 +228,11 @@ pub trait Real:
     /// 1 − erf(x), accurate relative to its own size in the tail.
     #[must_use]
     fn erfc(self) -> Self;
+    /// exp(x²) erfc(x) for `self` ≥ 0: what is left of the tail without its exponential.
+    #[must_use]
+    fn erfcx(self) -> Self {
+        math::erfcx(self)
+    }
     /// The integral of erfc from `self` ≥ 0 to infinity, exp(−x²)/√π − x erfc(x): how much the mean
     /// distance of x from a normally distributed number exceeds x. Accurate relative to that
     /// distance, x + ierfc(x), to which it is added; in `f64` and by default also relative to its

@@ -28,7 +28,9 @@ macro_rules! polynomial {
 }
 
 pub(super) mod double;
+mod erfcx;
 mod ierfc;
 pub(super) mod single;
 
+pub(super) use erfcx::erfcx;
 pub(crate) use ierfc::ierfc;

@@ -56,6 +56,19 @@ pub(in crate::real) fn erfc(x: f32) -> f32 {
     (if a < SWITCH { inner } else { outer }) as f32
 }
 
+/// 1/(x + 1.5) times a polynomial in that reciprocal less ¼, made like that of [`ierfc`], for all
+/// x ≥ 0: 3·10⁻⁸ of the value, and 2.7·10⁻⁷ with the rounding of the arithmetic.
+#[inline(always)]
+pub(in crate::real) fn erfcx(x: f32) -> f32 {
+    let reciprocal = 1.0 / (x + 1.5);
+    reciprocal
+        * polynomial!(
+            reciprocal - 0.25;
+            0.8432255, 1.385328, 0.96226454, -0.9116541, -1.5798382, 1.8545727, 2.5311954,
+            -5.7615867, -1.230081, 12.763466, -10.324772
+        )
+}
+
 /// The square of a polynomial. It is one of √ierfc on 0 … 3.6, made by linear programming on 900
 /// points so that the error relative to x + ierfc x is least, coefficients rounded one after the
 /// other: 5·10⁻⁸, and 3·10⁻⁷ with the rounding of the arithmetic. From 3.6 on the sum is x.

@@ -12,7 +12,7 @@ mod root;
 mod trigonometric;
 
 pub(in crate::real) use arc::{acos, angle_squared, asin, atan2};
-pub(in crate::real) use error_function::{erf, erf_inv, erfc, ierfc};
+pub(in crate::real) use error_function::{erf, erf_inv, erfc, erfcx, ierfc};
 pub(in crate::real) use exponential::{exp, exp_m1};
 pub(in crate::real) use logarithm::{ln, ln_1p, powf};
 pub(in crate::real) use power::power_of_part;
