@@ -25,6 +25,9 @@ pub struct Pair<T: Real> {
     pub cos_i: T,
     /// N·V, the cosine of the angle of the viewer.
     pub cos_o: T,
+    /// wi + wo, which points along the half vector; the normal where the sum is too short to point
+    /// anywhere.
+    pub sum: T::Vec3,
     /// The half vector (wi + wo)/|wi + wo|.
     pub h: T::Vec3,
     /// N·H, the cosine of the tilt of the facet that mirrors `wi` into `wo`.
@@ -49,10 +52,11 @@ impl<T: Real> Pair<T> {
         let usable = length_squared.gt(T::lit(1e-37));
         let length = T::select(usable, length_squared, T::lit(1.0)).sqrt();
         let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-        let h = <T::Vec3 as Vector<T>>::select(usable, sum * (T::lit(1.0) / length), normal);
         let cos_d = T::select(usable, length, sum.z()) * T::lit(0.5);
+        let sum = <T::Vec3 as Vector<T>>::select(usable, sum, normal);
+        let h = sum * (T::lit(1.0) / length);
         let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
-        Self { wi, wo, cos_i, cos_o, h, cos_h: h.z(), cos_d, above }
+        Self { wi, wo, cos_i, cos_o, sum, h, cos_h: h.z(), cos_d, above }
     }
 }
 

@@ -1,7 +1,7 @@
 //! One model for each element: textures of roughness, albedo, index.
 
-use crate::block::planes::{BLOCK, Values, within};
-use crate::block::run::{self, Samples};
+use crate::block::planes::{Answers, BLOCK, within};
+use crate::block::run;
 use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::Brdf;
 use crate::error::ParameterError;
@@ -42,11 +42,10 @@ pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
             set,
             #[inline(always)]
             || {
-                let mut block = Values::new();
-                for (index, model) in models.iter().enumerate() {
-                    block.set(index, model.eval(wi.at(index), wo.at(index)));
-                }
-                values.copy_from(&block);
+                values.fill(
+                    #[inline(always)]
+                    |index| models[index].eval(wi.at(index), wo.at(index)),
+                );
             },
         );
         Ok(())
@@ -70,11 +69,10 @@ pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
             set,
             #[inline(always)]
             || {
-                let mut block = [T::lit(0.0); BLOCK];
-                for (index, model) in models.iter().enumerate() {
-                    block[index] = model.pdf(wi.at(index), wo.at(index));
-                }
-                *pdf = block;
+                pdf.fill(
+                    #[inline(always)]
+                    |index| models[index].pdf(wi.at(index), wo.at(index)),
+                );
             },
         );
         Ok(())
@@ -98,14 +96,13 @@ pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
             set,
             #[inline(always)]
             || {
-                let mut block = Samples::new();
-                for (index, model) in models.iter().enumerate() {
-                    let sample = model.sample(wo.at(index), [u[0][index], u[1][index]]);
-                    block.wi.set(index, sample.wi);
-                    block.weight.set(index, sample.weight);
-                    block.pdf[index] = sample.pdf;
-                }
-                samples.copy_from(&block);
+                samples.answers().fill(
+                    #[inline(always)]
+                    |index| {
+                        let u = [u[0][index], u[1][index]];
+                        models[index].sample(wo.at(index), u).into_parts()
+                    },
+                );
             },
         );
         Ok(())

@@ -4,8 +4,8 @@
 use super::error::BatchError;
 use super::input::{Directions, Uniforms};
 use super::output::{ColorBuffer, SampleBuffer};
-use super::planes::{BLOCK, Values, within};
-use super::run::{self, Samples};
+use super::planes::{Answers, BLOCK, within};
+use super::run;
 use crate::real::{Color, Real};
 
 /// One call after the other, for numbers that gain nothing from SIMD code.
@@ -72,11 +72,10 @@ pub(crate) fn eval<T: Real, C: Color<T>>(
             set,
             #[inline(always)]
             || {
-                let mut block = Values::new();
-                for index in 0..BLOCK {
-                    block.set(index, formula(wi.at(index), wo.at(index)));
-                }
-                values.copy_from(&block);
+                values.fill(
+                    #[inline(always)]
+                    |index| formula(wi.at(index), wo.at(index)),
+                );
             },
         );
         Ok(())
@@ -97,11 +96,10 @@ pub(crate) fn pdf<T: Real>(
             set,
             #[inline(always)]
             || {
-                let mut block = [T::lit(0.0); BLOCK];
-                for (index, pdf) in block.iter_mut().enumerate() {
-                    *pdf = formula(wi.at(index), wo.at(index));
-                }
-                *pdf = block;
+                pdf.fill(
+                    #[inline(always)]
+                    |index| formula(wi.at(index), wo.at(index)),
+                );
             },
         );
         Ok(())
@@ -122,14 +120,10 @@ pub(crate) fn sample<T: Real, C: Color<T>>(
             set,
             #[inline(always)]
             || {
-                let mut block = Samples::new();
-                for (index, (&u0, &u1)) in u[0].iter().zip(u[1]).enumerate() {
-                    let (wi, weight, pdf) = formula(wo.at(index), [u0, u1]);
-                    block.wi.set(index, wi);
-                    block.weight.set(index, weight);
-                    block.pdf[index] = pdf;
-                }
-                samples.copy_from(&block);
+                samples.answers().fill(
+                    #[inline(always)]
+                    |index| formula(wo.at(index), [u[0][index], u[1][index]]),
+                );
             },
         );
         Ok(())

@@ -4,7 +4,7 @@ use super::error::{BatchError, Length};
 use super::input::{Directions, fill, whole};
 use super::instruction_set::InstructionSet;
 use super::output::{ColorBuffer, write_plane};
-use super::planes::{BLOCK, Components, Plane, Planes, Values, within};
+use super::planes::{Answers, BLOCK, Components, Plane, Planes, Values, within};
 use crate::real::{Color, Real};
 
 pub(crate) fn reflectance<T: Real, C: Color<T>>(
@@ -17,11 +17,10 @@ pub(crate) fn reflectance<T: Real, C: Color<T>>(
             set,
             #[inline(always)]
             || {
-                let mut block = Values::new();
-                for (index, cos_theta) in cos_theta.iter().enumerate() {
-                    block.set(index, formula(*cos_theta));
-                }
-                values.copy_from(&block);
+                values.fill(
+                    #[inline(always)]
+                    |index| formula(cos_theta[index]),
+                );
             },
         );
     })
@@ -37,11 +36,10 @@ pub(crate) fn density<T: Real>(
             set,
             #[inline(always)]
             || {
-                let mut block = [T::lit(0.0); BLOCK];
-                for (index, density) in block.iter_mut().enumerate() {
-                    *density = formula(h.at(index));
-                }
-                *densities = block;
+                densities.fill(
+                    #[inline(always)]
+                    |index| formula(h.at(index)),
+                );
             },
         );
     })

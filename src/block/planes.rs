@@ -1,8 +1,8 @@
 //! A block of directions in the layout that SIMD code wants: one array per component.
 //!
-//! Batches run block by block. The loops over a block have a fixed length and write to arrays of the
-//! function they stand in. So the compiler knows that nothing overlaps, and turns them into SIMD
-//! code without asking at run time.
+//! Batches run block by block, and a block runs strip by strip: loops of a fixed length that write
+//! to arrays of the function they stand in. So the compiler knows that nothing overlaps, and turns
+//! them into SIMD code without asking at run time.
 
 use core::cell::Cell;
 
@@ -12,8 +12,75 @@ use crate::real::{Color, Real, Vector};
 /// Directions in a block.
 pub(crate) const BLOCK: usize = 128;
 
+/// Directions whose answers wait in registers, or next to them, before they go to the block.
+const STRIP: usize = 16;
+
 /// One number of each direction of a block.
-pub(crate) type Plane<T> = [T; BLOCK];
+pub(crate) type Plane<T, const N: usize = BLOCK> = [T; N];
+
+/// Answers of a block.
+pub(crate) trait Answers {
+    /// The answer for one direction.
+    type Answer;
+    /// The answers of a strip.
+    type Strip;
+
+    fn strip() -> Self::Strip;
+    fn put(strip: &mut Self::Strip, lane: usize, answer: Self::Answer);
+    fn store(&mut self, start: usize, strip: &Self::Strip);
+
+    /// Answers for the directions of a block, by their places in it.
+    #[inline(always)]
+    fn fill(&mut self, formula: impl Fn(usize) -> Self::Answer) {
+        for start in (0..BLOCK).step_by(STRIP) {
+            let mut strip = Self::strip();
+            for lane in 0..STRIP {
+                Self::put(&mut strip, lane, formula(start + lane));
+            }
+            self.store(start, &strip);
+        }
+    }
+}
+
+impl<T: Real> Answers for Plane<T> {
+    type Answer = T;
+    type Strip = Plane<T, STRIP>;
+
+    #[inline(always)]
+    fn strip() -> Self::Strip {
+        [T::lit(0.0); STRIP]
+    }
+    #[inline(always)]
+    fn put(strip: &mut Self::Strip, lane: usize, answer: T) {
+        strip[lane] = answer;
+    }
+    #[inline(always)]
+    fn store(&mut self, start: usize, strip: &Self::Strip) {
+        self[start..start + STRIP].copy_from_slice(strip);
+    }
+}
+
+impl<A: Answers, B: Answers, C: Answers> Answers for (&mut A, &mut B, &mut C) {
+    type Answer = (A::Answer, B::Answer, C::Answer);
+    type Strip = (A::Strip, B::Strip, C::Strip);
+
+    #[inline(always)]
+    fn strip() -> Self::Strip {
+        (A::strip(), B::strip(), C::strip())
+    }
+    #[inline(always)]
+    fn put(strip: &mut Self::Strip, lane: usize, (a, b, c): Self::Answer) {
+        A::put(&mut strip.0, lane, a);
+        B::put(&mut strip.1, lane, b);
+        C::put(&mut strip.2, lane, c);
+    }
+    #[inline(always)]
+    fn store(&mut self, start: usize, (a, b, c): &Self::Strip) {
+        self.0.store(start, a);
+        self.1.store(start, b);
+        self.2.store(start, c);
+    }
+}
 
 /// The components of the directions of a block, wherever they lie.
 #[derive(Clone, Copy, Debug)]
@@ -28,12 +95,14 @@ impl<T: Real> Components<'_, T> {
 
 /// Memory for the components of the directions of a block.
 #[derive(Debug)]
-pub(crate) struct Planes<T, const N: usize>(pub(crate) [Plane<T>; N]);
+pub(crate) struct Planes<T, const COUNT: usize, const N: usize = BLOCK>(
+    pub(crate) [Plane<T, N>; COUNT],
+);
 
-impl<T: Real, const N: usize> Planes<T, N> {
+impl<T: Real, const COUNT: usize, const N: usize> Planes<T, COUNT, N> {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self([[T::lit(0.0); BLOCK]; N])
+        Self([[T::lit(0.0); N]; COUNT])
     }
 }
 
@@ -42,7 +111,9 @@ impl<T: Real> Planes<T, 3> {
     pub(crate) fn components(&self) -> Components<'_, T> {
         Components([&self.0[0], &self.0[1], &self.0[2]])
     }
+}
 
+impl<T: Real, const N: usize> Planes<T, 3, N> {
     #[inline(always)]
     pub(crate) fn set(&mut self, index: usize, w: T::Vec3) {
         self.0[0][index] = w.x();
@@ -51,29 +122,37 @@ impl<T: Real> Planes<T, 3> {
     }
 }
 
-/// The colours of a block: planes for up to four channels, colours side by side for more.
-#[derive(Debug)]
-pub(crate) struct Values<T, C> {
-    planes: Planes<T, 4>,
-    colors: [C; BLOCK],
+impl<T: Real> Answers for Planes<T, 3> {
+    type Answer = T::Vec3;
+    type Strip = Planes<T, 3, STRIP>;
+
+    #[inline(always)]
+    fn strip() -> Self::Strip {
+        Planes::new()
+    }
+    #[inline(always)]
+    fn put(strip: &mut Self::Strip, lane: usize, answer: T::Vec3) {
+        strip.set(lane, answer);
+    }
+    #[inline(always)]
+    fn store(&mut self, start: usize, strip: &Self::Strip) {
+        for (plane, strip) in self.0.iter_mut().zip(&strip.0) {
+            plane.store(start, strip);
+        }
+    }
 }
 
-impl<T: Real, C: Color<T>> Values<T, C> {
+/// The colours of a block: planes for up to four channels, colours side by side for more.
+#[derive(Debug)]
+pub(crate) struct Values<T, C, const N: usize = BLOCK> {
+    planes: Planes<T, 4, N>,
+    colors: [C; N],
+}
+
+impl<T: Real, C: Color<T>, const N: usize> Values<T, C, N> {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self { planes: Planes::new(), colors: [C::splat(T::lit(0.0)); BLOCK] }
-    }
-
-    /// Copies what is in use.
-    #[inline(always)]
-    pub(crate) fn copy_from(&mut self, other: &Self) {
-        if channels::<T, C>() <= 4 {
-            for channel in 0..channels::<T, C>() {
-                self.planes.0[channel & 3] = other.planes.0[channel & 3];
-            }
-        } else {
-            self.colors = other.colors;
-        }
+        Self { planes: Planes::new(), colors: [C::splat(T::lit(0.0)); N] }
     }
 
     #[inline(always)]
@@ -88,7 +167,43 @@ impl<T: Real, C: Color<T>> Values<T, C> {
             self.colors[index] = color;
         }
     }
+}
 
+impl<T: Real, C: Color<T>> Answers for Values<T, C> {
+    type Answer = C;
+    type Strip = Values<T, C, STRIP>;
+
+    #[inline(always)]
+    fn strip() -> Self::Strip {
+        Values::new()
+    }
+    #[inline(always)]
+    fn put(strip: &mut Self::Strip, lane: usize, answer: C) {
+        strip.set(lane, answer);
+    }
+    #[inline(always)]
+    fn store(&mut self, start: usize, strip: &Self::Strip) {
+        if channels::<T, C>() <= 4 {
+            for channel in 0..channels::<T, C>() {
+                self.planes.0[channel & 3].store(start, &strip.planes.0[channel & 3]);
+            }
+        } else {
+            self.colors[start..start + STRIP].copy_from_slice(&strip.colors);
+        }
+    }
+}
+
+impl<T: Real, C: Color<T>> Values<T, C> {
+    #[inline(always)]
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        if channels::<T, C>() <= 4 {
+            for channel in 0..channels::<T, C>() {
+                self.planes.0[channel & 3] = other.planes.0[channel & 3];
+            }
+        } else {
+            self.colors = other.colors;
+        }
+    }
     #[inline(always)]
     pub(crate) fn at(&self, index: usize) -> C {
         if channels::<T, C>() <= 4 {

@@ -135,10 +135,8 @@ impl<T: Real, C: Color<T>> Samples<T, C> {
     }
 
     #[inline(always)]
-    pub(crate) fn copy_from(&mut self, other: &Self) {
-        self.wi.0 = other.wi.0;
-        self.weight.copy_from(&other.weight);
-        self.pdf = other.pdf;
+    pub(crate) fn answers(&mut self) -> (&mut Planes<T, 3>, &mut Values<T, C>, &mut Plane<T>) {
+        (&mut self.wi, &mut self.weight, &mut self.pdf)
     }
 }
 

@@ -110,19 +110,22 @@ pub fn conductor_polarized<T: Real>(eta: T, k: T, cos_theta: T) -> Polarized<T> 
 }
 
 /// The refracted wave and what the reflectances take from it.
-pub(super) struct Refraction<T> {
+pub(super) struct Refraction<T: Real> {
     /// u, the cosine of the angle of incidence.
     cos: T,
+    /// u².
+    cos_squared: T,
     /// 1 − u².
     sin_squared: T,
-    /// Real part of q, the normal component of the refracted wave vector over that in vacuum.
-    pub(super) a: T,
-    /// Imaginary part of q.
-    pub(super) b: T,
-    /// |q|² = a² + b².
+    /// |q|² = a² + b², q = a + ib being the normal component of the refracted wave vector over
+    /// that in vacuum.
     modulus_squared: T,
-    /// |q|⁴, before the root was taken.
-    modulus_fourth: T,
+    /// The larger of a and b.
+    larger: T,
+    /// a b = n k.
+    product: T,
+    /// Where a is the larger one.
+    propagates: T::Mask,
     /// |N² − 1|².
     contrast: T,
 }
@@ -130,7 +133,7 @@ pub(super) struct Refraction<T> {
 impl<T: Real> Refraction<T> {
     #[inline(always)]
     pub(super) fn new(eta: T, k: T, cos: T) -> Self {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let one = T::lit(1.0);
         let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
 
         // Real parts of N² − 1 and of q² = N² − s², by whichever of two equal forms cancels less:
@@ -142,55 +145,59 @@ impl<T: Real> Refraction<T> {
         let product = eta * k;
         let y_squared = T::lit(4.0) * product.squared();
 
-        // The larger of a and b from the root, the smaller from a b = n k. The floor stands where
-        // q = 0, at a critical angle; it is below the rounding of x² there.
-        let modulus_fourth = (x * x + y_squared).max(T::lit(1e-37));
-        let modulus_squared = modulus_fourth.sqrt();
-        let larger = ((modulus_squared + x.abs()) * T::lit(0.5)).sqrt();
-        let smaller = product / larger;
-        let propagates = x.ge(zero);
+        // The floor stands where q = 0, at a critical angle; it is below the rounding of x² there.
+        let modulus_squared = (x * x + y_squared).max(T::lit(1e-37)).sqrt();
         Self {
             cos,
+            cos_squared,
             sin_squared,
-            a: T::select(propagates, larger, smaller),
-            b: T::select(propagates, smaller, larger),
             modulus_squared,
-            modulus_fourth,
+            larger: ((modulus_squared + x.abs()) * T::lit(0.5)).sqrt(),
+            product,
+            propagates: x.ge(T::lit(0.0)),
             contrast: contrast.squared() + y_squared,
         }
     }
 
-    /// |u + q|⁴ = (h + u² + 2au)²; at grazing it is |N² − 1|² with the same bits.
+    /// a and b, the smaller one without a difference.
     #[inline(always)]
-    fn sum_fourth(&self) -> T {
-        let beyond = self.cos * (self.cos + self.a + self.a);
-        self.modulus_fourth + beyond * (self.modulus_squared + self.modulus_squared + beyond)
+    pub(super) fn parts(&self) -> (T, T) {
+        let smaller = self.product / self.larger;
+        (
+            T::select(self.propagates, self.larger, smaller),
+            T::select(self.propagates, smaller, self.larger),
+        )
     }
 
-    /// |u q|² + s⁴ and 2 a u s²: half the sum and a quarter of the difference of |u q ± s²|².
-    #[inline(always)]
-    fn parallel(&self) -> (T, T) {
-        let mean = self.cos.squared() * self.modulus_squared + self.sin_squared.squared();
-        (mean, (self.a + self.a) * self.cos * self.sin_squared)
-    }
-
-    /// (R_s + R_p)/2.
+    /// (R_s + R_p)/2 = |N² − 1|² m/(|u + q|⁴ (m + t s²)) with |u + q|² = |q|² + u² + t, t = 2au and
+    /// m = |u q|² + s⁴.
+    ///
+    /// Where b is the larger of a and b, a = n k/b, and numerator and denominator are taken b³ times
+    /// as large: one quotient is enough. Only where N = 1 but for k < 10⁻¹⁰ do these products
+    /// leave the range of `f32`, for u < k.
     #[inline(always)]
     pub(super) fn unpolarized(self) -> T {
-        let (mean, cross) = self.parallel();
-        let reflectance = self.contrast * mean / (self.sum_fourth() * (mean + cross));
+        let scale = T::select(self.propagates, T::lit(1.0), self.larger);
+        let a = T::select(self.propagates, self.larger, self.product);
+        let mean = (self.cos_squared * self.modulus_squared + self.sin_squared.squared()) * scale;
+        let twice = (self.cos + self.cos) * a;
+        let sum = (self.modulus_squared + self.cos_squared) * scale + twice;
+        let below = sum.squared() * (mean + twice * self.sin_squared);
+        let reflectance = self.contrast * scale.squared() * mean / below.max(T::lit(1e-37));
         // At most 1, but for rounding.
         reflectance.min(T::lit(1.0))
     }
 
     #[inline(always)]
     fn polarized(self) -> Polarized<T> {
-        let one = T::lit(1.0);
-        let (mean, cross) = self.parallel();
-        let s = (self.contrast / self.sum_fourth()).min(one);
-        let real = self.cos * self.a - self.sin_squared;
-        let imaginary = self.cos * self.b;
-        let ratio = (real.squared() + imaginary.squared()) / (mean + cross);
+        let (one, (a, b)) = (T::lit(1.0), self.parts());
+        let twice = (self.cos + self.cos) * a;
+        let sum = self.modulus_squared + self.cos_squared + twice;
+        let s = (self.contrast / sum.squared()).min(one);
+        let real = self.cos * a - self.sin_squared;
+        let imaginary = self.cos * b;
+        let mean = self.cos_squared * self.modulus_squared + self.sin_squared.squared();
+        let ratio = (real.squared() + imaginary.squared()) / (mean + twice * self.sin_squared);
         Polarized { s, p: s * ratio.min(one) }
     }
 }

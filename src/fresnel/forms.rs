@@ -92,6 +92,5 @@ pub fn abu<T: Real>(eta: T, k: T, cos_theta: T) -> T {
 #[inline(always)]
 #[must_use]
 pub fn ab<T: Real>(eta: T, k: T, cos_theta: T) -> (T, T) {
-    let refraction = Refraction::new(eta, k, incident_cosine(cos_theta));
-    (refraction.a, refraction.b)
+    Refraction::new(eta, k, incident_cosine(cos_theta)).parts()
 }

@@ -3,7 +3,7 @@ use super::facets::{Facets, Mirrored, MirroredBlock};
 use super::shadowing::Shadowing;
 use super::v_cavity::VCavity;
 use crate::block::formula::calls;
-use crate::block::planes::{BLOCK, Values, within};
+use crate::block::planes::{Answers, Values, within};
 use crate::block::{
     BatchError, ColorBuffer, Directions, InstructionSet, SampleBuffer, Uniforms, run,
 };
@@ -215,11 +215,10 @@ fn reflect_block<T: Real, F: Fresnel<T>>(
         set,
         #[inline(always)]
         || {
-            let mut block = Values::new();
-            for index in 0..BLOCK {
-                block.set(index, reflected(fresnel, mirrored.at(index)));
-            }
-            values.copy_from(&block);
+            values.fill(
+                #[inline(always)]
+                |index| reflected(fresnel, mirrored.at(index)),
+            );
         },
     );
 }

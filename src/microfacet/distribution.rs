@@ -14,6 +14,14 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     /// any finite `h`.
     fn density(&self, h: T::Vec3) -> T;
 
+    /// D of the unit vector along `m`, whatever the length of `m`: for distributions that do not
+    /// need it, models are spared its normalisation. Where the square of the length is below
+    /// 10⁻³⁷ or overflows, finite and never negative but of no meaning.
+    #[inline(always)]
+    fn density_along(&self, m: T::Vec3) -> T {
+        self.density(m.normalize_or_normal())
+    }
+
     /// Draws `h` with density D(h) (N·h) from two uniform numbers in [0, 1). It is a unit vector
     /// that does not lie below the surface. Numbers outside [0, 1) are taken as by
     /// [`Brdf::sample`](crate::Brdf::sample).
@@ -60,6 +68,10 @@ macro_rules! forward {
             #[inline(always)]
             fn density(&self, h: T::Vec3) -> T {
                 (**self).density(h)
+            }
+            #[inline(always)]
+            fn density_along(&self, m: T::Vec3) -> T {
+                (**self).density_along(m)
             }
             #[inline(always)]
             fn sample(&self, u: [T; 2]) -> T::Vec3 {

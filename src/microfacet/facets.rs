@@ -5,7 +5,7 @@
 
 use super::distribution::Distribution;
 use super::shadowing::Shadowing;
-use crate::block::planes::{BLOCK, Components, Plane, Planes, within};
+use crate::block::planes::{Answers, BLOCK, Components, Plane, Planes, within};
 use crate::block::{BatchError, Directions, InstructionSet, run};
 use crate::direction::{Pair, above_surface, reflect};
 use crate::real::{Mask, Real, Vector, in_place};
@@ -51,11 +51,25 @@ impl<T: Real> MirroredBlock<T> {
     pub(super) fn at(&self, index: usize) -> Mirrored<T> {
         Mirrored { cos: self.cos[index], scale: self.scale[index] }
     }
+}
+
+impl<T: Real> Answers for MirroredBlock<T> {
+    type Answer = Mirrored<T>;
+    type Strip = [<Plane<T> as Answers>::Strip; 2];
 
     #[inline(always)]
-    fn set(&mut self, index: usize, mirrored: Mirrored<T>) {
-        self.cos[index] = mirrored.cos;
-        self.scale[index] = mirrored.scale;
+    fn strip() -> Self::Strip {
+        [Plane::strip(), Plane::strip()]
+    }
+    #[inline(always)]
+    fn put([cos, scale]: &mut Self::Strip, lane: usize, answer: Mirrored<T>) {
+        Plane::put(cos, lane, answer.cos);
+        Plane::put(scale, lane, answer.scale);
+    }
+    #[inline(always)]
+    fn store(&mut self, start: usize, [cos, scale]: &Self::Strip) {
+        self.cos.store(start, cos);
+        self.scale.store(start, scale);
     }
 }
 
@@ -72,7 +86,8 @@ impl<D, S> Facets<'_, D, S> {
             || {
                 let pair = Pair::new(wi, wo);
                 let visibility = self.shadowing.visibility(self.distribution, &pair);
-                let value = (self.distribution.density(pair.h) * visibility).min(T::max_finite());
+                let value =
+                    (self.distribution.density_along(pair.sum) * visibility).min(T::max_finite());
                 Mirrored { cos: cos_d(&pair), scale: T::select(pair.above, value, T::lit(0.0)) }
             },
         )
@@ -132,7 +147,7 @@ impl<D, S> Facets<'_, D, S> {
         S: Shadowing<T, D>,
     {
         let masking = self.shadowing.masking(self.distribution, pair);
-        (self.distribution.density(pair.h) * masking).min(T::max_finite())
+        (self.distribution.density_along(pair.sum) * masking).min(T::max_finite())
     }
 
     #[inline(never)]
@@ -150,11 +165,10 @@ impl<D, S> Facets<'_, D, S> {
             set,
             #[inline(always)]
             || {
-                let mut block = MirroredBlock::new();
-                for index in 0..BLOCK {
-                    block.set(index, self.mirrored(wi.at(index), wo.at(index)));
-                }
-                *mirrored = block;
+                mirrored.fill(
+                    #[inline(always)]
+                    |index| self.mirrored(wi.at(index), wo.at(index)),
+                );
             },
         );
     }
@@ -175,11 +189,10 @@ impl<D, S> Facets<'_, D, S> {
                 set,
                 #[inline(always)]
                 || {
-                    let mut block = [T::lit(0.0); BLOCK];
-                    for (index, pdf) in block.iter_mut().enumerate() {
-                        *pdf = self.pdf(wi.at(index), wo.at(index));
-                    }
-                    *pdf = block;
+                    pdf.fill(
+                        #[inline(always)]
+                        |index| self.pdf(wi.at(index), wo.at(index)),
+                    );
                 },
             );
             Ok(())
@@ -202,16 +215,13 @@ impl<D, S> Facets<'_, D, S> {
             set,
             #[inline(always)]
             || {
-                let mut wi_block = Planes::new();
-                let mut pdf_block = [T::lit(0.0); BLOCK];
-                let mut weight_block = MirroredBlock::new();
-                for index in 0..BLOCK {
-                    let draw = self.draw(wo.at(index), [u[0][index], u[1][index]]);
-                    wi_block.set(index, draw.wi);
-                    pdf_block[index] = draw.pdf;
-                    weight_block.set(index, draw.weight);
-                }
-                (*wi, *pdf, *weight) = (wi_block, pdf_block, weight_block);
+                (wi, pdf, weight).fill(
+                    #[inline(always)]
+                    |index| {
+                        let draw = self.draw(wo.at(index), [u[0][index], u[1][index]]);
+                        (draw.wi, draw.pdf, draw.weight)
+                    },
+                );
             },
         );
     }

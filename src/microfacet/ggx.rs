@@ -76,15 +76,21 @@ lift! {
 impl<T: Real> Distribution<T> for Ggx<T> {
     #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
+        self.density_along(h)
+    }
+
+    #[inline(always)]
+    fn density_along(&self, m: T::Vec3) -> T {
         let zero = T::lit(0.0);
-        let cos_squared = h.z().squared();
-        let length_squared = h.x().squared() + h.y().squared() + cos_squared;
-        // Divided by the length, which is 1 up to rounding: the fourth power would multiply that
-        // rounding. The bound keeps vectors without length from dividing 0 by 0.
-        let stretched = (self.roughness.tilt_squared(h) + cos_squared).max(T::lit(1e-37));
-        let density =
-            (self.roughness.peak() * (length_squared / stretched).squared()).min(T::max_finite());
-        T::select(h.z().gt(zero), density, zero)
+        let cos_squared = m.z().squared();
+        // A vector taken for a unit vector needs this too: the fourth power would multiply the
+        // rounding of its length. The bounds keep vectors without length from dividing 0 by 0, and
+        // very long ones infinity by infinity.
+        let length_squared = m.x().squared() + m.y().squared() + cos_squared;
+        let stretched = (self.roughness.tilt_squared(m) + cos_squared).max(T::lit(1e-37));
+        let quotient = length_squared.min(T::max_finite()) / stretched;
+        let density = (self.roughness.peak() * quotient.squared()).min(T::max_finite());
+        T::select(m.z().gt(zero), density, zero)
     }
 
     #[inline(always)]

@@ -28,7 +28,7 @@ pub(super) static MUTANTS: [Mutant; 19] = [
     Mutant::new("Conductor", "2 n²k² for 4 n²k²", CONDUCTOR,
         "let y_squared = ▸T::lit(4.0) * product.squared();", Literal, |_, _, _| 2.0),
     Mutant::new("Conductor", "R_p = R_s: sin² left out", CONDUCTOR,
-        "let real = ▸self.cos * self.a - self.sin_squared;", Sub, PLUS),
+        "let real = ▸self.cos * a - self.sin_squared;", Sub, PLUS),
     Mutant::new("Conductor", "average without the 2 of 2 ∫ R μ dμ", CONDUCTOR,
         "▸(integral * T::lit(4.0)).min(one)", Mul, |left, _, _| 2.0 * left),
     Mutant::new("Conductor", "reflectance at normal incidence without k", NORMAL,

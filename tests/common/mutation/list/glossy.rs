@@ -47,7 +47,7 @@ pub(super) static MUTANTS: [Mutant; 22] = [
     Mutant::new("directions", "bitangent with the wrong sign", FRAME,
         "let b = ▸n.x() * n.y() * a;", Mul, NEGATIVE).link(1),
     Mutant::new("directions", "half vector not normalised", DIRECTION,
-        "select(usable, ▸sum * (T::lit(1.0) / length), normal);", Mul, LEFT),
+        "let h = ▸sum * (T::lit(1.0) / length);", Mul, LEFT),
     Mutant::new("directions", "V·H twice as large", DIRECTION,
         "let cos_d = ▸T::select(usable, length, sum.z()) * T::lit(0.5);", Mul, LEFT),
     Mutant::new("directions", "sign of R = 2N(N·L) − L", DIRECTION,

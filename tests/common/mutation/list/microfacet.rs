@@ -41,7 +41,7 @@ pub(super) static MUTANTS: [Mutant; 37] = [
     Mutant::new("Beckmann", "visible slopes turned the wrong way", SLOPES,
         "T::select(tilted, ▸along * cos_phi - across * sin_phi, x)", Sub, PLUS),
     Mutant::new("GGX", "power 1 for 2", GGX,
-        "(length_squared / stretched).▸squared()", Squared, LEFT),
+        "quotient.▸squared()", Squared, LEFT),
     Mutant::new("GGX", "the axes of an anisotropic surface exchanged", ROUGHNESS,
         "(h.▸x() * self.inverse[0]).squared()", X, LEFT),
     Mutant::new("GGX", "sign of the root in Λ", GGX,
