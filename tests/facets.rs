@@ -3,11 +3,12 @@
 
 mod common;
 
-use brdf::{Blinn, Gaussian, SmithCorrelated, SmithSeparable, VCavity};
+use brdf::{Beckmann, Blinn, Distribution, Gaussian, SmithCorrelated, SmithSeparable, VCavity};
+use common::directions::pairs;
 use common::distributions::{with_smith, without_smith};
 use common::measure::furnace::weak_furnace;
 use common::measure::normalization::{projected_area, projected_area_by_angle};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 /// ∫ D cosα dω = 1 from roughness 10⁻⁴ to 10, isotropic and not.
 #[test]
@@ -79,6 +80,38 @@ fn facets_that_are_visible_on_random_surfaces_fill_the_projected_area() {
                     weak_furnace(normals, &SmithCorrelated, scale, wo),
                 );
                 check_furnace(&surface.name, wo, weak_furnace(normals, &SmithSeparable, scale, wo));
+            }
+        }
+    }
+}
+
+/// Far off the normal of a surface that is almost a mirror nothing is left, and the largest
+/// factors of the formula meet the smallest.
+#[test]
+fn nothing_is_left_far_off_the_normal() {
+    for roughness in [1e-8_f32, 1e-6, 1e-4] {
+        let smooth = Beckmann::new(roughness).unwrap();
+        for cos in [1e-9_f32, 1.1e-8, 1e-7, 1e-5, 1e-3] {
+            let h = Vec3::new((1.0 - cos * cos).sqrt(), 0.0, cos);
+            assert_eq!(smooth.density(h), 0.0, "{roughness:e} {cos:e}");
+        }
+    }
+}
+
+/// The length of a vector does not matter where its direction is asked for. An exponential down to
+/// e⁻⁷⁰⁰ multiplies the rounding of its argument by as much.
+#[test]
+fn densities_along_vectors_of_any_length() {
+    for x in [0.01, 0.3, 2.0] {
+        for surface in with_smith(x, 0.5) {
+            let distribution = &surface.distribution;
+            for (h, _) in pairs(1000) {
+                let density = distribution.density(h);
+                for length in [1e-15, 0.3, 2.0, 1e15] {
+                    let along = distribution.density_along(h * length);
+                    let error = (along - density).abs();
+                    assert!(error <= 1e-12 * density, "{}: {h} {length}", surface.name);
+                }
             }
         }
     }

@@ -195,16 +195,6 @@ impl<T: Real, C: Color<T>> Answers for Values<T, C> {
 
 impl<T: Real, C: Color<T>> Values<T, C> {
     #[inline(always)]
-    pub(crate) fn copy_from(&mut self, other: &Self) {
-        if channels::<T, C>() <= 4 {
-            for channel in 0..channels::<T, C>() {
-                self.planes.0[channel & 3] = other.planes.0[channel & 3];
-            }
-        } else {
-            self.colors = other.colors;
-        }
-    }
-    #[inline(always)]
     pub(crate) fn at(&self, index: usize) -> C {
         if channels::<T, C>() <= 4 {
             let channel = Cell::new(0);

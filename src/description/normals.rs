@@ -88,8 +88,9 @@ impl<T: Real> MixedSmith<T> {
     }
 
     #[inline(always)]
-    fn density_from(&self, start: T, h: T::Vec3) -> T {
-        sum(sum(start, &self.beckmann, |each| each.density(h)), &self.ggx, |each| each.density(h))
+    fn density_from(&self, start: T, m: T::Vec3) -> T {
+        let start = sum(start, &self.beckmann, |each| each.density_along(m));
+        sum(start, &self.ggx, |each| each.density_along(m))
     }
 }
 
@@ -125,7 +126,12 @@ impl<T: Real> Mixed<T> {
 impl<T: Real> Distribution<T> for MixedSmith<T> {
     #[inline]
     fn density(&self, h: T::Vec3) -> T {
-        self.density_from(T::lit(0.0), h).min(T::max_finite())
+        self.density_along(h)
+    }
+
+    #[inline]
+    fn density_along(&self, m: T::Vec3) -> T {
+        self.density_from(T::lit(0.0), m).min(T::max_finite())
     }
 
     #[inline]
@@ -168,6 +174,13 @@ impl<T: Real> Distribution<T> for Mixed<T> {
         let start = self.smith.density_from(T::lit(0.0), h);
         let start = sum(start, &self.gaussian, |each| each.density(h));
         sum(start, &self.blinn, |each| each.density(h)).min(T::max_finite())
+    }
+
+    #[inline]
+    fn density_along(&self, m: T::Vec3) -> T {
+        let start = self.smith.density_from(T::lit(0.0), m);
+        let start = sum(start, &self.gaussian, |each| each.density_along(m));
+        sum(start, &self.blinn, |each| each.density_along(m)).min(T::max_finite())
     }
 
     #[inline]

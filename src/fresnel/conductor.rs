@@ -19,7 +19,7 @@ use crate::real::{Color, Real, lift};
 /// | cosθ | `cos_theta` | cosine of the angle of incidence | −1 … 1, the sign is ignored |
 ///
 /// k is the extinction coefficient itself, not κ = k/n. With k = 0 this is
-/// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 exactly, unless
+/// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 but for a rounding, unless
 /// n = 1 and k < 10⁻¹⁸, which counts as no surface: R = 0.
 ///
 /// Reciprocal. Conserving: R ≤ 1.
@@ -169,35 +169,43 @@ impl<T: Real> Refraction<T> {
         )
     }
 
-    /// (R_s + R_p)/2 = |N² − 1|² m/(|u + q|⁴ (m + t s²)) with |u + q|² = |q|² + u² + t, t = 2au and
-    /// m = |u q|² + s⁴.
+    /// |u + q|² = |q|² + u² + 2au times `scale`, from a times `scale`.
+    #[inline(always)]
+    fn sum_squared(&self, a: T, scale: T) -> T {
+        (self.modulus_squared + self.cos_squared) * scale + (a + a) * self.cos
+    }
+
+    /// |u q|² + s⁴ and 2 a u s², half the sum and a quarter of the difference of |u q ± s²|², times
+    /// `scale`, from a times `scale`.
+    #[inline(always)]
+    fn parallel(&self, a: T, scale: T) -> (T, T) {
+        let mean = self.cos_squared * self.modulus_squared + self.sin_squared.squared();
+        (mean * scale, (a + a) * self.cos * self.sin_squared)
+    }
+
+    /// (R_s + R_p)/2.
     ///
-    /// Where b is the larger of a and b, a = n k/b, and numerator and denominator are taken b³ times
-    /// as large: one quotient is enough. Only where N = 1 but for k < 10⁻¹⁰ do these products
-    /// leave the range of `f32`, for u < k.
+    /// Where b is the larger of a and b, a = n k/b, and numerator and denominator are taken b³
+    /// times as large: one quotient is enough.
     #[inline(always)]
     pub(super) fn unpolarized(self) -> T {
         let scale = T::select(self.propagates, T::lit(1.0), self.larger);
         let a = T::select(self.propagates, self.larger, self.product);
-        let mean = (self.cos_squared * self.modulus_squared + self.sin_squared.squared()) * scale;
-        let twice = (self.cos + self.cos) * a;
-        let sum = (self.modulus_squared + self.cos_squared) * scale + twice;
-        let below = sum.squared() * (mean + twice * self.sin_squared);
-        let reflectance = self.contrast * scale.squared() * mean / below.max(T::lit(1e-37));
-        // At most 1, but for rounding.
-        reflectance.min(T::lit(1.0))
+        let (mean, cross) = self.parallel(a, scale);
+        let below = self.sum_squared(a, scale).squared() * (mean + cross);
+        // At most 1, but for rounding. In `f32` both may underflow where N = 1 but for k < 10⁻¹⁰
+        // and u < k; this makes it the 1 of grazing.
+        (self.contrast * scale.squared() * mean / below).min(T::lit(1.0))
     }
 
     #[inline(always)]
     fn polarized(self) -> Polarized<T> {
         let (one, (a, b)) = (T::lit(1.0), self.parts());
-        let twice = (self.cos + self.cos) * a;
-        let sum = self.modulus_squared + self.cos_squared + twice;
-        let s = (self.contrast / sum.squared()).min(one);
+        let (mean, cross) = self.parallel(a, one);
+        let s = (self.contrast / self.sum_squared(a, one).squared()).min(one);
         let real = self.cos * a - self.sin_squared;
         let imaginary = self.cos * b;
-        let mean = self.cos_squared * self.modulus_squared + self.sin_squared.squared();
-        let ratio = (real.squared() + imaginary.squared()) / (mean + twice * self.sin_squared);
+        let ratio = (real.squared() + imaginary.squared()) / (mean + cross);
         Polarized { s, p: s * ratio.min(one) }
     }
 }

@@ -2,7 +2,7 @@ use super::distribution::{Distribution, Smith};
 use super::normal_slopes::{slopes, visible_slopes};
 use super::roughness::Roughness;
 use crate::error::ParameterError;
-use crate::real::{Real, Vector, ierfc, lift};
+use crate::real::{Mask, Real, Vector, ierfc, lift};
 
 /// Beckmann's distribution: facets of a surface whose slopes are normally distributed.
 ///
@@ -78,15 +78,21 @@ lift! {
 impl<T: Real> Distribution<T> for Beckmann<T> {
     #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
+        self.density_along(h)
+    }
+
+    #[inline(always)]
+    fn density_along(&self, m: T::Vec3) -> T {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
-        // Below 10⁻⁸ the density of any allowed roughness is less than exp(−10⁸): zero.
-        let above = h.z().gt(T::lit(1e-8));
-        let cos_squared = T::select(above, h.z(), one).squared();
+        // From a tangent of 10⁸ on the density of any allowed roughness is below exp(−10⁸): zero.
+        let sin_squared = m.x().squared() + m.y().squared();
+        let cos_squared = m.z().squared();
+        let above = m.z().gt(zero).and(sin_squared.lt(cos_squared * T::lit(1e16)));
+        let inverse = one / T::select(above, cos_squared, one);
         // From 10⁴ on the exponential is zero in every number; the bounds keep it from infinity.
-        let exponent = (self.roughness.tilt_squared(h) / cos_squared).min(T::lit(1e4));
-        let tan_squared = (h.x().squared() + h.y().squared()) / cos_squared;
-        let inverse_cos_squared = one + tan_squared.min(T::lit(1e16));
-        let density = (-exponent).exp() * (inverse_cos_squared.squared() * self.roughness.peak());
+        let exponent = (self.roughness.tilt_squared(m) * inverse).min(T::lit(1e4));
+        let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e16));
+        let density = (-exponent).exp() * inverse_cos_squared.squared() * self.roughness.peak();
         T::select(above, density.min(T::max_finite()), zero)
     }
 

@@ -156,6 +156,11 @@ impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T,
     }
 
     #[inline(always)]
+    fn density_along(&self, m: T::Vec3) -> T {
+        self.sum(|distribution| distribution.density_along(m)).min(T::max_finite())
+    }
+
+    #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let mut choice = Choice::new(u);
         for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {

@@ -85,12 +85,16 @@ fn at_grazing_everything_is_reflected() {
             assert_eq!(dielectric_polarized(ior, cos).unpolarized(), 1.0, "{ior}");
             assert_eq!(dielectric(f64::from(ior), f64::from(cos)), 1.0, "{ior}");
             for k in extinctions() {
-                assert_eq!(Conductor::new(ior, k).unwrap().reflectance(cos), 1.0, "{ior} {k}");
-                assert_eq!(conductor(f64::from(ior), f64::from(k), 0.0), 1.0, "{ior} {k}");
+                // The square of a rounded root, and the products above and below the line.
+                let single = Conductor::new(ior, k).unwrap().reflectance(cos);
+                assert!((1.0 - 4.0 * f32::EPSILON..=1.0).contains(&single), "{ior} {k}: {single}");
+                let double = conductor(f64::from(ior), f64::from(k), 0.0);
+                assert!((1.0 - 4.0 * f64::EPSILON..=1.0).contains(&double), "{ior} {k}: {double}");
             }
         }
     }
-    assert_eq!(Conductor::new(1.0_f32, 1e-18).unwrap().reflectance(0.0), 1.0);
+    let faint = Conductor::new(1.0_f32, 1e-18).unwrap().reflectance(0.0);
+    assert!((1.0 - 4.0 * f32::EPSILON..=1.0).contains(&faint), "{faint}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ pub(super) static MUTANTS: [Mutant; 37] = [
     Mutant::new("Beckmann", "the constant of the print, 4 for π", ROUGHNESS,
         "peak: one / (▸T::lit(PI) * along[0] * along[1])", Literal, |_, _, _| 4.0),
     Mutant::new("Beckmann", "cos²α for cos⁴α", BECKMANN,
-        "(inverse_cos_squared.▸squared() * self.roughness.peak())", Squared, LEFT),
+        "inverse_cos_squared.▸squared() * self.roughness.peak()", Squared, LEFT),
     Mutant::new("Beckmann", "Λ without ½", BECKMANN,
         "(▸T::lit(0.5) * spread * ierfc(cos / spread))", Literal, ONE),
     Mutant::new("Beckmann", "Λ without e^(−ν²)", IERFC,
