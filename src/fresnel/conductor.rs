@@ -19,8 +19,8 @@ use crate::real::{Color, Real, lift};
 /// | cosθ | `cos_theta` | cosine of the angle of incidence | −1 … 1, the sign is ignored |
 ///
 /// k is the extinction coefficient itself, not κ = k/n. With k = 0 this is
-/// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 but for a rounding, unless
-/// n = 1 and k < 10⁻¹⁸, which counts as no surface: R = 0.
+/// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 but for
+/// rounding, unless n = 1 and k < 10⁻¹⁸, which counts as no surface: R = 0.
 ///
 /// Reciprocal. Conserving: R ≤ 1.
 ///

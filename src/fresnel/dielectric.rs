@@ -122,31 +122,36 @@ struct Interface<T: Real> {
 impl<T: Real> Interface<T> {
     #[inline(always)]
     fn new(ior: T, cos_theta: T) -> Self {
-        let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
+        let (zero, one) = (T::lit(0.0), T::lit(1.0));
         let from_below = cos_theta.lt(zero);
-        let n1 = T::select(from_below, ior, one);
-        let n2 = T::select(from_below, one, ior);
         let cos = cos_theta.abs().min(one);
         let sin_squared = (one - cos) * (one + cos);
 
+        // What depends on the index alone is chosen, not computed, for each side.
+        let (squared, contrast) = (ior * ior, (ior - one) * (ior + one));
+        let n1 = T::select(from_below, ior, one);
+        let n1_squared = T::select(from_below, squared, one);
+        let n2_squared = T::select(from_below, one, squared);
+        let difference = T::select(from_below, -contrast, contrast);
+
         // q², by whichever of the two equal forms cancels less towards the critical angle.
-        let difference = (n2 - n1) * (n2 + n1);
-        let p = n1 * cos;
+        let (p, sines) = (n1 * cos, n1 * sin_squared);
         let q_squared = T::select(
-            (n2 * n2 * two).lt(n1 * n1),
-            n2 * n2 - n1 * n1 * sin_squared,
+            (n2_squared + n2_squared).lt(n1_squared),
+            n2_squared - n1 * sines,
             difference + p * p,
         );
-        let (transmits, total) = (q_squared.gt(zero), q_squared.lt(zero));
-        let q_squared = T::select(transmits, q_squared, zero);
-        let q = T::select(transmits, T::select(transmits, q_squared, one).sqrt(), zero);
+        let total = q_squared.lt(zero);
+        // A root has no derivative at 0.
+        let q_squared = q_squared.max(T::lit(1e-37));
+        let q = T::select(total, zero, q_squared.sqrt());
 
         // At grazing p + q is q, and (p + q)² is to be n₂² − n₁² with all its bits: no square of
         // a root. The least difference of two f64 indices is 2·10⁻¹⁶, so the floor only ever
         // replaces a zero, where there is no surface.
-        let floor = difference.abs().max(T::lit(1e-16));
-        let sum_squared = (q_squared + p * (two * q + p)).max(floor);
-        Self { difference, sum_squared, cosines: cos * q, sines: n1 * sin_squared, total }
+        let floor = contrast.abs().max(T::lit(1e-16));
+        let sum_squared = (q_squared + p * (q + q + p)).max(floor);
+        Self { difference, sum_squared, cosines: cos * q, sines, total }
     }
 
     /// (R_s + R_p)/2 on one fraction line.
