@@ -17,8 +17,8 @@ use crate::sampling::uniform;
 /// | n | `exponent` | sharpness; 0 makes D constant, large n a mirror | 0 … 10⁸ |
 ///
 /// Normalised, ∫ D cosα dω = 1. Blinn's own D₁ is the same power with maximum 1 instead, see
-/// [`Blinn1977`](crate::microfacet::Blinn1977). cosⁿα is computed as (1 + tan²α)^(−n/2), which
-/// keeps its digits close to the normal, where large exponents live.
+/// [`Blinn1977`](crate::microfacet::Blinn1977). cosⁿα is computed as (cos²α/(cos²α + sin²α))^(n/2),
+/// which keeps its digits close to the normal, where large exponents live.
 ///
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
 /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893); normalised as in B. Walter
@@ -88,14 +88,19 @@ lift! {
 impl<T: Real> Distribution<T> for Blinn<T> {
     #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
-        let above = h.z().gt(zero);
-        let cos = T::select(above, h.z(), one);
-        let tan_squared = (h.x() / cos).squared() + (h.y() / cos).squared();
-        // Saturates at grazing angles too small for the number, to keep 0·∞ from n = 0.
-        let ln_cos = T::lit(-0.5) * tan_squared.min(T::max_finite()).ln_1p();
+        self.density_along(h)
+    }
+
+    #[inline(always)]
+    fn density_along(&self, m: T::Vec3) -> T {
+        // Squares that no number holds belong to no direction, or to one that grazes so much that
+        // the power is 0; the bounds keep both in the range of the power.
+        let (least, largest) = (T::lit(4.0) / T::max_finite(), T::lit(0.25) * T::max_finite());
+        let along = m.z().squared().max(least).min(largest);
+        let across = (m.x().squared() + m.y().squared()).min(largest);
         let peak = (self.exponent + T::lit(2.0)) * T::lit(0.5 * FRAC_1_PI);
-        T::select(above, peak * (self.exponent * ln_cos).exp(), zero)
+        let power = along.power_of_part(across, self.exponent * T::lit(0.5));
+        T::select(m.z().gt(T::lit(0.0)), peak * power, T::lit(0.0))
     }
 
     #[inline(always)]

@@ -116,27 +116,39 @@ impl<D, S> Facets<'_, D, S> {
     {
         in_place::<T, _>(
             #[inline(always)]
-            || {
-                let zero = T::lit(0.0);
-                let above = above_surface::<T, _>(wo);
-                let normal = Vector::new(zero, zero, T::lit(1.0));
-                let wo = <T::Vec3 as Vector<T>>::select(above, wo, normal);
-                let h = self.shadowing.sample_visible(self.distribution, wo, u);
-                let wi = reflect(wo, h);
-                // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
-                let pair = Pair::new(wi, wo);
-                let drawn = above.and(pair.above);
-                let unshadowed = self.shadowing.unshadowed(self.distribution, &pair);
-                Draw {
-                    wi,
-                    pdf: T::select(drawn, self.density(&pair), zero),
-                    weight: Mirrored {
-                        cos: cos_d(&pair),
-                        scale: T::select(drawn, unshadowed, zero),
-                    },
-                }
-            },
+            || self.mirror(wo, self.visible(wo, u)),
         )
+    }
+
+    /// The normal of a facet that the viewer sees.
+    #[inline(always)]
+    fn visible<T: Real>(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        self.shadowing.sample_visible(self.distribution, viewer::<T>(wo), u)
+    }
+
+    /// What a facet of the drawn normal `h` mirrors to the viewer.
+    #[inline(always)]
+    fn mirror<T: Real>(&self, wo: T::Vec3, h: T::Vec3) -> Draw<T>
+    where
+        D: Distribution<T>,
+        S: Shadowing<T, D>,
+    {
+        let (zero, above) = (T::lit(0.0), above_surface::<T, _>(wo));
+        let wo = viewer::<T>(wo);
+        let wi = reflect(wo, h);
+        // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
+        let pair = Pair::new(wi, wo);
+        let drawn = above.and(pair.above);
+        let unshadowed = self.shadowing.unshadowed(self.distribution, &pair);
+        Draw {
+            wi,
+            pdf: T::select(drawn, self.density(&pair), zero),
+            weight: Mirrored { cos: cos_d(&pair), scale: T::select(drawn, unshadowed, zero) },
+        }
     }
 
     /// The density of the samples, whether or not the light is above the surface.
@@ -215,16 +227,31 @@ impl<D, S> Facets<'_, D, S> {
             set,
             #[inline(always)]
             || {
+                // In two loops: a processor works ahead by a number of instructions, and the
+                // shorter the way through a loop, the more of its turns overlap.
+                let mut normals = Planes::<T, 3>::new();
+                normals.fill(
+                    #[inline(always)]
+                    |index| self.visible(wo.at(index), [u[0][index], u[1][index]]),
+                );
+                let normals = normals.components();
                 (wi, pdf, weight).fill(
                     #[inline(always)]
                     |index| {
-                        let draw = self.draw(wo.at(index), [u[0][index], u[1][index]]);
+                        let draw = self.mirror(wo.at(index), normals.at(index));
                         (draw.wi, draw.pdf, draw.weight)
                     },
                 );
             },
         );
     }
+}
+
+/// A direction above the surface; the normal in the place of any other.
+#[inline(always)]
+fn viewer<T: Real>(wo: T::Vec3) -> T::Vec3 {
+    let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+    Vector::select(above_surface::<T, _>(wo), wo, normal)
 }
 
 /// The cosine that the Fresnel term is asked for. That of a pair exceeds 1 by the rounding of the
