@@ -124,7 +124,7 @@ impl<T: Real> Smith<T> for Beckmann<T> {
 
     #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let (x, y) = visible_slopes::<T>(self.roughness.stretch(wo), u);
+        let (x, y) = visible_slopes::<T>(self.roughness.stretch_to_any_length(wo), u);
         self.roughness.unstretch(-x, -y, T::lit(1.0))
     }
 }

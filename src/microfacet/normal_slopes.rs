@@ -17,7 +17,8 @@ pub(super) fn slopes<T: Real>(u: [T; 2]) -> (T, T) {
     (tan * cos, tan * sin)
 }
 
-/// Slopes with the density of those that face `s`, a direction above the surface of roughness 1.
+/// Slopes with the density of those that face `s`, a direction above the surface of roughness 1. Its
+/// length does not matter.
 #[inline(always)]
 pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
     let u = uniform(u);
@@ -27,7 +28,11 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
     let sin_squared = T::select(tilted, sin_squared, T::lit(1.0));
     let inverse_sin = sin_squared.rsqrt();
     let (cos_phi, sin_phi) = (s.x() * inverse_sin, s.y() * inverse_sin);
-    let along = visible_slope(s.z(), sin_squared * inverse_sin, inverse_sin, u[0]);
+    // Both roots at once. One after the other would be waited for.
+    let length_squared = sin_squared + s.z().squared();
+    let inverse_length = length_squared.rsqrt();
+    let (cos, sin) = (s.z() * inverse_length, sin_squared * inverse_sin * inverse_length);
+    let along = visible_slope(cos, sin, length_squared * inverse_length * inverse_sin, u[0]);
     let across = (u[1] * T::lit(2.0) - T::lit(1.0)).erf_inv();
     let (x, y) = slopes(u);
     (
@@ -160,6 +165,22 @@ mod tests {
     fn distribution_function(cos: f64, sin: f64, x: f64) -> f64 {
         let below = cos * Real::erfc(-x) + sin * Real::exp(-x * x) * FRAC_1_SQRT_PI;
         below / (2.0 * cos + sin * Real::ierfc(cos / sin))
+    }
+
+    #[test]
+    fn the_length_of_the_viewer_does_not_matter() {
+        for cot in [1e-20_f32, 0.1, 1.0, 3.0, 1e8] {
+            for u in [0.0, 1e-37, 1e-20, 0.1, 0.7, 0.9] {
+                let slopes = [1e-8, 1.0, 1e4].map(|length| {
+                    let s = glam::Vec3::new(0.6 * length, 0.8 * length, cot * length);
+                    visible_slopes::<f32>(s, [u, 0.25])
+                });
+                for (x, y) in slopes {
+                    let off = (x - slopes[1].0).abs().max((y - slopes[1].1).abs());
+                    assert!(off < 1e-5, "{off:e} at {cot:e}, {u:e}");
+                }
+            }
+        }
     }
 
     #[test]

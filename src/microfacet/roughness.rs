@@ -64,10 +64,16 @@ impl<T: Real> Roughness<T> {
     /// roughness 1. What is no direction above the surface counts as the normal.
     #[inline(always)]
     pub(super) fn stretch(&self, w: T::Vec3) -> T::Vec3 {
+        let stretched = self.stretch_to_any_length(w);
+        Vector::normalize_or_normal(stretched)
+    }
+
+    /// A vector in the direction of [`stretch`](Self::stretch), of any length.
+    #[inline(always)]
+    pub(super) fn stretch_to_any_length(&self, w: T::Vec3) -> T::Vec3 {
         let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
         let w: T::Vec3 = Vector::select(above_surface::<T, _>(w), w, normal);
-        let stretched: T::Vec3 = Vector::new(w.x() * self.along[0], w.y() * self.along[1], w.z());
-        Vector::normalize_or_normal(stretched)
+        Vector::new(w.x() * self.along[0], w.y() * self.along[1], w.z())
     }
 
     /// The unit normal of this surface that (x, y, z) becomes when the surface of roughness 1 is
