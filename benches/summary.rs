@@ -1,7 +1,8 @@
 //! The table of the README: `cargo bench --bench summary`.
 //!
-//! Nanoseconds per pair of directions, median of five runs, each run as long as it takes to be
-//! measured well; all cells of a row within seconds of each other. Structure of arrays, 4096 pairs; for all cores 2²⁰.
+//! Nanoseconds per pair of directions, structure of arrays, each the median of five runs of at least
+//! 50 ms; all cells of a row within seconds of each other. 4096 pairs stay in the cache; 2²⁰ pairs
+//! come from memory and go there.
 
 mod common;
 
@@ -23,15 +24,13 @@ const F0: Vec3 = Vec3::new(1.0, 0.78, 0.34);
 const ETA: Vec3 = Vec3::new(0.143, 0.374, 1.442);
 const K: Vec3 = Vec3::new(3.983, 2.386, 1.603);
 
-/// Pairs for all cores together: many times what one core does at once.
+/// Pairs that no cache holds.
 const MANY: usize = 1 << 20;
 
-/// Nanoseconds per element: the median of five runs of at least 50 ms.
-fn time(work: impl FnMut()) -> f64 {
-    time_of(COUNT, work)
-}
+const SAME_LENGTH: &str = "the lengths agree";
 
-fn time_of(count: usize, mut work: impl FnMut()) -> f64 {
+/// Nanoseconds per element: the median of five runs of at least 50 ms.
+fn time(count: usize, mut work: impl FnMut()) -> f64 {
     work();
     let mut rounds = 1_u32;
     let mut run = || loop {
@@ -50,134 +49,181 @@ fn time_of(count: usize, mut work: impl FnMut()) -> f64 {
     runs[2]
 }
 
-fn row(what: &str, by_hand: Option<f64>, calls: f64, batch: f64, cores: Option<f64>) {
-    let cell = |time: Option<f64>| time.map_or("–".to_string(), |time| format!("{time:.2}"));
-    let ratio = by_hand.map_or("–".to_string(), |by_hand| format!("{:.1} ×", by_hand / batch));
-    let (by_hand, cores) = (cell(by_hand), cell(cores));
-    println!("| {what} | {by_hand} | {calls:.2} | {batch:.2} | {ratio} | {cores} |");
+/// Something done with every pair.
+type Work<'a, P> = &'a dyn Fn(&mut P);
+
+/// What is measured of one formula.
+struct Row<'a, P> {
+    by_hand: Option<Work<'a, P>>,
+    calls: Work<'a, P>,
+    batch: Work<'a, P>,
+    cores: Option<Work<'a, P>>,
 }
 
-fn eval(
-    what: &str,
-    planes: &mut Planes,
-    model: &impl Brdf<f32, Color = Vec3>,
-    by_hand: impl Fn(Vec3, Vec3) -> Vec3,
-) {
-    let by_hand = time(|| black_box(&mut *planes).each(&by_hand));
-    let calls = time(|| black_box(&mut *planes).each(|wi, wo| model.eval(wi, wo)));
-    let batch = time(|| {
-        let (wi, wo, values) = black_box(&mut *planes).eval();
-        model.eval_batch(wi, wo, values).expect("the lengths agree");
-    });
-    let many: Vec<_> = pairs().into_iter().cycle().take(MANY).collect();
-    let mut many = Planes::new(&many, &uniforms());
-    let cores = time_of(MANY, || {
-        let (wi, wo, values) = black_box(&mut many).eval();
-        parallel::eval(model, wi, wo, values).expect("the lengths agree");
-    });
-    row(&format!("{what}: `eval`"), Some(by_hand), calls, batch, Some(cores));
+/// Few pairs and many.
+struct Inputs<P> {
+    few: P,
+    many: P,
 }
 
-fn pdf_and_sample(what: &str, planes: &mut Planes, model: &impl Brdf<f32, Color = Vec3>) {
-    let calls = time(|| black_box(&mut *planes).each_number(|wi, wo| model.pdf(wi, wo)));
-    let batch = time(|| {
-        let (wi, wo, pdf) = black_box(&mut *planes).pdf();
-        model.pdf_batch(wi, wo, pdf).expect("the lengths agree");
-    });
-    row(&format!("{what}: `pdf`"), None, calls, batch, None);
-    let calls = time(|| {
-        black_box(&mut *planes).each(|wi, wo| {
-            let sample = model.sample(wo, [wi.x.abs(), wi.y.abs()]);
-            sample.wi + sample.weight * sample.pdf
-        });
-    });
-    let batch = time(|| {
-        let (wo, u, samples) = black_box(&mut *planes).sample();
-        model.sample_batch(wo, u, samples).expect("the lengths agree");
-    });
-    row(&format!("{what}: `sample`"), None, calls, batch, None);
+impl<P> Inputs<P> {
+    fn row(&mut self, what: &str, row: &Row<'_, P>) {
+        let mut few = |work: Work<'_, P>| time(COUNT, || work(black_box(&mut self.few)));
+        let by_hand = row.by_hand.map(&mut few);
+        let (calls, batch) = (few(row.calls), few(row.batch));
+        let mut many = |work: Work<'_, P>| time(MANY, || work(black_box(&mut self.many)));
+        let one = many(row.batch);
+        let cores = row.cores.map(&mut many);
+        let cell = |time: Option<f64>| time.map_or("–".to_string(), |time| format!("{time:.2}"));
+        let ratio = |of: Option<f64>, to: f64, digits: usize| {
+            of.map_or("–".to_string(), |of| format!("{:.digits$} ×", of / to))
+        };
+        println!(
+            "| {what} | {} | {calls:.2} | {batch:.2} | {} | {one:.2} | {} | {} |",
+            cell(by_hand),
+            ratio(by_hand, batch, 1),
+            cell(cores),
+            cores.map_or("–".to_string(), |cores| ratio(Some(one), cores, 2)),
+        );
+    }
 }
 
-fn fresnel(
-    what: &str,
-    planes: &mut Planes,
-    term: &impl Fresnel<f32, Color = f32>,
-    by_hand: impl Fn(f32) -> f32,
-) {
-    let mut each = |formula: &dyn Fn(&mut Planes)| time(|| formula(black_box(&mut *planes)));
-    let loop_over = |planes: &mut Planes, formula: &dyn Fn(&[f32], &mut [f32])| {
-        let (cosines, values) = planes.cosines();
-        formula(cosines, values);
-    };
-    let by_hand = each(&|planes| {
-        loop_over(planes, &|cosines, values| {
+impl Inputs<Planes> {
+    fn eval(
+        &mut self,
+        what: &str,
+        model: &impl Brdf<f32, Color = Vec3>,
+        by_hand: Option<Work<'_, Planes>>,
+    ) {
+        let row = Row::<Planes> {
+            by_hand,
+            calls: &|planes| planes.each(|wi, wo| model.eval(wi, wo)),
+            batch: &|planes| {
+                let (wi, wo, values) = planes.eval();
+                model.eval_batch(wi, wo, values).expect(SAME_LENGTH);
+            },
+            cores: Some(&|planes| {
+                let (wi, wo, values) = planes.eval();
+                parallel::eval(model, wi, wo, values).expect(SAME_LENGTH);
+            }),
+        };
+        self.row(&format!("{what}: `eval`"), &row);
+    }
+
+    fn pdf_and_sample(&mut self, what: &str, model: &impl Brdf<f32, Color = Vec3>) {
+        let pdf = Row::<Planes> {
+            by_hand: None,
+            calls: &|planes| planes.each_number(|wi, wo| model.pdf(wi, wo)),
+            batch: &|planes| {
+                let (wi, wo, pdf) = planes.pdf();
+                model.pdf_batch(wi, wo, pdf).expect(SAME_LENGTH);
+            },
+            cores: Some(&|planes| {
+                let (wi, wo, pdf) = planes.pdf();
+                parallel::pdf(model, wi, wo, pdf).expect(SAME_LENGTH);
+            }),
+        };
+        self.row(&format!("{what}: `pdf`"), &pdf);
+        let sample = Row::<Planes> {
+            by_hand: None,
+            calls: &|planes| {
+                planes.each(|wi, wo| {
+                    let sample = model.sample(wo, [wi.x.abs(), wi.y.abs()]);
+                    sample.wi + sample.weight * sample.pdf
+                });
+            },
+            batch: &|planes| {
+                let (wo, u, samples) = planes.sample();
+                model.sample_batch(wo, u, samples).expect(SAME_LENGTH);
+            },
+            cores: Some(&|planes| {
+                let (wo, u, samples) = planes.sample();
+                parallel::sample(model, wo, u, samples).expect(SAME_LENGTH);
+            }),
+        };
+        self.row(&format!("{what}: `sample`"), &sample);
+    }
+
+    fn fresnel(
+        &mut self,
+        what: &str,
+        term: &impl Fresnel<f32, Color = f32>,
+        by_hand: impl Fn(f32) -> f32,
+    ) {
+        fn each(planes: &mut Planes, formula: impl Fn(f32) -> f32) {
+            let (cosines, values) = planes.cosines();
             for (value, cos) in values.iter_mut().zip(cosines) {
-                *value = by_hand(*cos);
+                *value = formula(*cos);
             }
-        });
-    });
-    let calls = each(&|planes| {
-        loop_over(planes, &|cosines, values| {
-            for (value, cos) in values.iter_mut().zip(cosines) {
-                *value = term.reflectance(*cos);
-            }
-        });
-    });
-    let batch = each(&|planes| {
-        loop_over(planes, &|cosines, values| {
-            term.reflectance_batch(cosines, values.into()).expect("the lengths agree");
-        });
-    });
-    row(what, Some(by_hand), calls, batch, None);
+        }
+        let row = Row::<Planes> {
+            by_hand: Some(&|planes| each(planes, &by_hand)),
+            calls: &|planes| each(planes, |cos| term.reflectance(cos)),
+            batch: &|planes| {
+                let (cosines, values) = planes.cosines();
+                term.reflectance_batch(cosines, values.into()).expect(SAME_LENGTH);
+            },
+            cores: None,
+        };
+        self.row(what, &row);
+    }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let threads = rayon::current_num_threads();
-    println!("{:?}, {threads} threads\n", InstructionSet::selected());
-    println!("| ns per pair, RGB `f32` | by hand | calls | batch | by hand/batch | all cores |");
-    println!("|---|---|---|---|---|---|");
-    let planes = &mut Planes::new(&pairs(), &uniforms());
+    println!(
+        "{:?}, {threads} threads, ns per pair, RGB `f32` if nothing else is said\n",
+        InstructionSet::selected()
+    );
+    println!("| | by hand | calls | batch | by hand/batch | batch of 2²⁰ | on all cores | cores |");
+    println!("|---|---|---|---|---|---|---|---|");
+    let many: Vec<_> = pairs().into_iter().cycle().take(MANY).collect();
+    let mut inputs =
+        Inputs { few: Planes::new(&pairs(), &uniforms()), many: Planes::new(&many, &uniforms()) };
     let (alpha, f0, eta, k) = black_box((ALPHA, F0, ETA, K));
     let gold = Conductor::new(eta, k)?;
 
     let beckmann = CookTorrance::new(Beckmann::new(alpha)?, Schlick::new(f0)?);
     let name = "Cook–Torrance, Beckmann, V-cavity, Schlick";
-    eval(name, planes, &beckmann, |wi, wo| by_hand::cook_torrance(wi, wo, alpha, f0));
-    pdf_and_sample(name, planes, &beckmann);
+    let by_hand: Work<'_, Planes> =
+        &|planes| planes.each(|wi, wo| by_hand::cook_torrance(wi, wo, alpha, f0));
+    inputs.eval(name, &beckmann, Some(by_hand));
+    inputs.pdf_and_sample(name, &beckmann);
 
     let ggx = CookTorrance::new(Ggx::new(alpha)?, gold).with_shadowing(SmithCorrelated);
     let name = "GGX, Smith, gold";
-    eval(name, planes, &ggx, |wi, wo| by_hand::ggx(wi, wo, alpha, eta, k));
-    pdf_and_sample(name, planes, &ggx);
+    let by_hand: Work<'_, Planes> =
+        &|planes| planes.each(|wi, wo| by_hand::ggx(wi, wo, alpha, eta, k));
+    inputs.eval(name, &ggx, Some(by_hand));
+    inputs.pdf_and_sample(name, &ggx);
 
     let smith = CookTorrance::new(Beckmann::new(alpha)?, gold).with_shadowing(SmithCorrelated);
     let name = "Beckmann, Smith, gold";
-    let calls = time(|| black_box(&mut *planes).each(|wi, wo| smith.eval(wi, wo)));
-    let batch = time(|| {
-        let (wi, wo, values) = black_box(&mut *planes).eval();
-        smith.eval_batch(wi, wo, values).expect("the lengths agree");
-    });
-    row(&format!("{name}: `eval`"), None, calls, batch, None);
-    pdf_and_sample(name, planes, &smith);
+    inputs.eval(name, &smith, None);
+    inputs.pdf_and_sample(name, &smith);
 
-    let exponent = black_box(40.0);
+    let (exponent, sigma) = black_box((40.0, 0.3));
     let phong = BlinnPhong::new(f0, exponent)?;
-    eval("Blinn–Phong", planes, &phong, |wi, wo| by_hand::blinn_phong(wi, wo, exponent, f0));
-    let sigma = black_box(0.3);
+    let by_hand: Work<'_, Planes> =
+        &|planes| planes.each(|wi, wo| by_hand::blinn_phong(wi, wo, exponent, f0));
+    inputs.eval("Blinn–Phong", &phong, Some(by_hand));
     let rough = OrenNayar::new(f0, sigma)?;
-    eval("Oren–Nayar", planes, &rough, |wi, wo| by_hand::oren_nayar(wi, wo, sigma, f0));
+    let by_hand: Work<'_, Planes> =
+        &|planes| planes.each(|wi, wo| by_hand::oren_nayar(wi, wo, sigma, f0));
+    inputs.eval("Oren–Nayar", &rough, Some(by_hand));
 
     let gaussian = Gaussian::new(alpha)?;
     let peak = gaussian.density(Vec3::Z);
-    let hand = time(|| {
-        black_box(&mut *planes).each_number(|h, _| by_hand::gaussian(h, alpha, peak));
-    });
-    let calls = time(|| black_box(&mut *planes).each_number(|h, _| gaussian.density(h)));
-    let batch = time(|| {
-        let (h, _, densities) = black_box(&mut *planes).pdf();
-        gaussian.density_batch(h, densities).expect("the lengths agree");
-    });
-    row("Gaussian D", Some(hand), calls, batch, None);
+    let row = Row::<Planes> {
+        by_hand: Some(&|planes| planes.each_number(|h, _| by_hand::gaussian(h, alpha, peak))),
+        calls: &|planes| planes.each_number(|h, _| gaussian.density(h)),
+        batch: &|planes| {
+            let (h, _, densities) = planes.pdf();
+            gaussian.density_batch(h, densities).expect(SAME_LENGTH);
+        },
+        cores: None,
+    };
+    inputs.row("Gaussian D", &row);
 
     let of_rgb = |cos: f32| {
         Vec3::new(
@@ -186,47 +232,59 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             by_hand::conductor(eta.z, k.z, cos),
         )
     };
-    let hand = time(|| black_box(&mut *planes).each(|w, _| of_rgb(w.z)));
-    let calls = time(|| black_box(&mut *planes).each(|w, _| gold.reflectance(w.z)));
-    let cosines: Vec<f32> = (0..COUNT).map(|index| planes.wi(index).z).collect();
-    let batch = time(|| {
-        let (_, _, values) = black_box(&mut *planes).eval();
-        gold.reflectance_batch(&cosines, values).expect("the lengths agree");
-    });
-    row("exact conductor, RGB", Some(hand), calls, batch, None);
+    let row = Row::<Planes> {
+        by_hand: Some(&|planes| planes.each(|w, _| of_rgb(w.z))),
+        calls: &|planes| planes.each(|w, _| gold.reflectance(w.z)),
+        batch: &|planes| {
+            let (cosines, values) = planes.cosines_and_colors();
+            gold.reflectance_batch(cosines, values).expect(SAME_LENGTH);
+        },
+        cores: None,
+    };
+    inputs.row("exact conductor", &row);
     let (eta, k, ior) = black_box((0.374, 2.386, 1.5));
-    let term = Conductor::new(eta, k)?;
-    fresnel("exact conductor, one channel", planes, &term, |cos| by_hand::conductor(eta, k, cos));
-    let term = Dielectric::new(ior)?;
-    fresnel("exact dielectric", planes, &term, |cos| by_hand::dielectric(ior, cos));
+    let one = Conductor::new(eta, k)?;
+    inputs.fresnel("exact conductor, one channel", &one, |cos| by_hand::conductor(eta, k, cos));
+    inputs.fresnel("exact dielectric, one channel", &Dielectric::new(ior)?, |cos| {
+        by_hand::dielectric(ior, cos)
+    });
     let f0 = black_box(0.04);
-    fresnel("Schlick", planes, &Schlick::new(f0)?, |cos| by_hand::schlick(f0, cos));
+    inputs.fresnel("Schlick, one channel", &Schlick::new(f0)?, |cos| by_hand::schlick(f0, cos));
 
-    let planes = &mut DoublePlanes::new(&pairs(), &uniforms());
+    let mut inputs = Inputs {
+        few: DoublePlanes::new(&pairs(), &uniforms()),
+        many: DoublePlanes::new(&many, &uniforms()),
+    };
     let (alpha, f0) = black_box((0.3, DVec3::new(1.0, 0.78, 0.34)));
     let model = CookTorrance::new(Beckmann::new(alpha)?, Schlick::new(f0)?);
-    let hand = time(|| {
-        black_box(&mut *planes).each(|wi, wo| by_hand::cook_torrance_f64(wi, wo, alpha, f0));
-    });
-    let calls = time(|| black_box(&mut *planes).each(|wi, wo| model.eval(wi, wo)));
-    let batch = time(|| {
-        let (wi, wo, values) = black_box(&mut *planes).eval();
-        model.eval_batch(wi, wo, values).expect("the lengths agree");
-    });
-    row("Cook–Torrance as above, `f64`: `eval`", Some(hand), calls, batch, None);
+    let row = Row::<DoublePlanes> {
+        by_hand: Some(&|planes| {
+            planes.each(|wi, wo| by_hand::cook_torrance_f64(wi, wo, alpha, f0));
+        }),
+        calls: &|planes| planes.each(|wi, wo| model.eval(wi, wo)),
+        batch: &|planes| {
+            let (wi, wo, values) = planes.eval();
+            model.eval_batch(wi, wo, values).expect(SAME_LENGTH);
+        },
+        cores: Some(&|planes| {
+            let (wi, wo, values) = planes.eval();
+            parallel::eval(&model, wi, wo, values).expect(SAME_LENGTH);
+        }),
+    };
+    inputs.row("Cook–Torrance as above, `f64`: `eval`", &row);
 
     clock();
     Ok(())
 }
 
-/// The yardstick of the machine: a chain of dependent multiply-adds.
+/// The yardstick of the machine: a chain of dependent multiplications and additions.
 fn clock() {
-    let step = time(|| {
+    let step = time(COUNT, || {
         let mut x = black_box(1.0_f32);
         for _ in 0..COUNT {
             x = x * 0.999 + 1e-3;
         }
         black_box(x);
     });
-    println!("\nA dependent multiply and add takes {step:.2} ns.");
+    println!("\nA dependent multiplication and addition take {step:.2} ns.");
 }

@@ -78,6 +78,14 @@ macro_rules! planes {
                 (&self.wi[2], &mut self.out[0])
             }
 
+            /// Cosines, and room for as many colours.
+            pub fn cosines_and_colors(
+                &mut self,
+            ) -> (&[$float], ColorBuffer<'_, $float, glam::$vector>) {
+                let [r, g, b, ..] = &mut self.out;
+                (&self.wi[2], ColorBuffer::Planes([r, g, b]))
+            }
+
             /// A loop that calls a formula for every pair and stores what it says.
             pub fn each(
                 &mut self,
