@@ -20,6 +20,17 @@ source, in one operation, it answers something else. Nothing of this is in the c
 (`tests/common/mutation`) run once for each bug, which counts as found if at least one fails. They
 all pass when no bug is seeded.";
 
+const COSTS: &str = "
+## What a call costs
+
+Divisions, square roots and other functions (exponentials, logarithms, powers, trigonometric and
+error functions) in one call with three channels, as written: the compiler leaves out what a model
+does not use of the half vector, and what depends on parameters alone.
+
+| model | `eval`: divisions | roots | functions | `pdf`: divisions | roots | functions | `sample`: divisions | roots | functions |
+|---|---|---|---|---|---|---|---|---|---|
+";
+
 /// How many χ² there are.
 fn tests(rows: &[Row]) -> usize {
     rows.iter().map(|row| 2 * row.sampling.len()).sum()
@@ -88,6 +99,13 @@ pub(crate) fn certificate(rows: &[Row], bugs: &[Outcome]) -> String {
             row.found,
             row.bugs,
         );
+    }
+    page += COSTS;
+    for row in rows {
+        let costs = row
+            .costs
+            .map(|cost| format!("{} | {} | {} |", cost.divisions, cost.roots, cost.functions));
+        let _ = writeln!(page, "| {} | {}", row.name, costs.join(" "));
     }
     let found = bugs.iter().filter(|bug| bug.killed()).count();
     let _ = write!(page, "\n## {found} of {} seeded bugs are found\n\n{BUGS}\n\n", bugs.len());

@@ -11,6 +11,7 @@ use crate::common::measure::sampling::{
     ALBEDO_Z, EXCESS, Sampling, Size, WEIGHT_ULPS, measure, viewers,
 };
 use crate::common::models::Entry;
+use crate::cost::{Cost, costs};
 
 /// Angles of the viewer for the albedo.
 pub(crate) const ANGLES: u32 = 48;
@@ -45,6 +46,8 @@ pub(crate) struct Row {
     pub(crate) precision: Precision,
     /// From each direction of the viewer.
     pub(crate) sampling: Vec<Sampling>,
+    /// What one call of `eval`, `pdf` and `sample` costs.
+    pub(crate) costs: [Cost; 3],
     /// Seeded bugs in what the model computes, and how many of them the checks find.
     pub(crate) bugs: usize,
     pub(crate) found: usize,
@@ -67,6 +70,7 @@ impl Row {
             reciprocity_f64: reciprocity(&*double.model, &pairs.double, f64::EPSILON),
             precision: precision(Quantity::Eval, &*single.model, &*double.model, &pairs.single),
             sampling: sampling(index, single, double),
+            costs: costs(index),
             bugs: 0,
             found: 0,
         }

@@ -13,6 +13,6 @@ mod vector;
 
 pub use model::Seeded;
 pub use number::Faulty;
-pub use place::{Fault, Operation, Place, Wrong, armed, record};
+pub use place::{Fault, Operation, Place, Wrong, armed, count, record};
 pub use source::source;
 pub use vector::FaultyVector;

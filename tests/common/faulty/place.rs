@@ -1,7 +1,7 @@
 //! Places of the source, and the fault that is active at one of them.
 
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::panic::Location;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -204,8 +204,18 @@ pub fn record(run: impl FnOnce()) -> BTreeSet<Place> {
     places.into_iter().map(|place| Place { link: place.link.min(most(&place)), ..place }).collect()
 }
 
+/// Runs something without a fault and tells how often it does which operation.
+pub fn count(run: impl FnOnce()) -> BTreeMap<Operation, u32> {
+    let _watch = watch(None);
+    RECORD.set(Recorder::new());
+    WATCHED.set(EVERYWHERE);
+    run();
+    RECORD.with_borrow_mut(|recorder| std::mem::take(&mut recorder.counts))
+}
+
 /// The places reached, and the last result at each line, column and operation.
 struct Recorder {
+    counts: BTreeMap<Operation, u32>,
     places: BTreeSet<Place>,
     last: Vec<Last>,
 }
@@ -221,7 +231,7 @@ struct Last {
 
 impl Recorder {
     const fn new() -> Self {
-        Self { places: BTreeSet::new(), last: Vec::new() }
+        Self { counts: BTreeMap::new(), places: BTreeSet::new(), last: Vec::new() }
     }
 
     /// Two places that share a slot push each other out and are entered anew, which costs time and
@@ -234,6 +244,7 @@ impl Recorder {
         result: f64,
     ) {
         const SLOTS: usize = 1 << 14;
+        *self.counts.entry(operation).or_insert(0) += 1;
         self.last.resize(SLOTS, Last { id: NOWHERE, result: 0, link: LAST_LINK, noted: 0 });
         let (file, line, column) = (caller.file(), caller.line(), caller.column());
         let number = key(line, column) * 64 + operation as u64;
