@@ -172,7 +172,8 @@ pub trait Real:
     ///
     /// The power of a number close to 1 of which it is known what is missing there: cosⁿα of
     /// cos²α and sin²α. It keeps the digits of both, and needs no root and no quotient of them. Its
-    /// logarithm has an error of at most five units in its last place, which the exponent magnifies.
+    /// relative error is at most ε(4½ |ln y| + 1) for a result y < 1/e, 5½ ε above, with ε = 2⁻²³ in
+    /// `f32`, 2⁻⁵² in `f64`.
     ///
     /// ```
     /// use brdf::Real;

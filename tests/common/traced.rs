@@ -136,6 +136,7 @@ impl Real for Traced {
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
-    functions!(abs floor sqrt exp exp_m1 ln ln_1p sin cos tan asin acos angle_squared erf erfc erf_inv);
+    functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
+    functions!(angle_squared erf erfc erf_inv);
     functions_of_two!(min max copysign powf atan2);
 }
