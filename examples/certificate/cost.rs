@@ -2,7 +2,8 @@
 
 use brdf::Vector;
 
-use crate::common::faulty::{Faulty, FaultyVector, Operation, count};
+use crate::common::faulty::place::count;
+use crate::common::faulty::{Faulty, FaultyVector, Operation};
 use crate::common::models;
 
 /// How often a formula asks for what takes a processor long.

@@ -7,12 +7,12 @@
 
 mod model;
 mod number;
-mod place;
+pub mod place;
 mod source;
 mod vector;
 
 pub use model::Seeded;
 pub use number::Faulty;
-pub use place::{Fault, Operation, Place, Wrong, armed, count, record};
+pub use place::{Fault, Operation, Place, Wrong, armed, record};
 pub use source::source;
 pub use vector::FaultyVector;
