@@ -236,13 +236,14 @@ fn error_function_single() {
 #[test]
 fn scaled_error_function_single() {
     let mut worst = 0.0_f64;
-    for x in sweep(0.0, 20.0).into_iter().chain(sweep(0.0, f32::MAX)) {
+    let dense = (1e-3_f32.to_bits()..20.0_f32.to_bits()).step_by(41).map(f32::from_bits);
+    for x in dense.chain(sweep(0.0, 20.0)).chain(sweep(0.0, f32::MAX)) {
         let exact = Real::erfcx(f64::from(x));
         // Below the least normal number there are fewer digits.
         let allowed = exact.max(f64::from(f32::MIN_POSITIVE));
         worst = worst.max(((f64::from(Real::erfcx(x)) - exact) / allowed).abs());
     }
-    assert!(worst < 2.7e-7, "{worst:e}");
+    assert!(worst < 3.5e-7, "{worst:e}");
 }
 
 /// In `f32` it is accurate relative to the sum it serves.

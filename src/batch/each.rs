@@ -8,7 +8,8 @@ use crate::error::ParameterError;
 use crate::real::Real;
 
 /// [`Brdf::eval_batch`] where every element has a model of its own, which `model` makes for the
-/// index of the element.
+/// index of the element. It is asked once for each index, in order. Models that are not [`Copy`],
+/// boxed ones for instance, are given by reference: `|index| Ok(&models[index])`.
 ///
 /// ```
 /// use brdf::batch::eval_each;
@@ -28,7 +29,8 @@ use crate::real::Real;
 /// ```
 ///
 /// # Errors
-/// As there, and if a model cannot be made. Then the elements before its block are done.
+/// If slices differ in length: then nothing is written. If a model cannot be made: then the blocks of
+/// 128 elements before its own are done.
 pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
     model: impl Fn(usize) -> Result<M, ParameterError>,
     wi: Directions<'_, T>,
@@ -55,7 +57,7 @@ pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
 /// [`Brdf::pdf_batch`] where every element has a model of its own: see [`eval_each`].
 ///
 /// # Errors
-/// As there.
+/// If slices differ in length, or a model cannot be made.
 pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
     model: impl Fn(usize) -> Result<M, ParameterError>,
     wi: Directions<'_, T>,
@@ -82,7 +84,7 @@ pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
 /// [`Brdf::sample_batch`] where every element has a model of its own: see [`eval_each`].
 ///
 /// # Errors
-/// As there.
+/// If slices differ in length, or a model cannot be made.
 pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
     model: impl Fn(usize) -> Result<M, ParameterError>,
     wo: Directions<'_, T>,

@@ -3,7 +3,8 @@
 //! [`Brdf::eval_batch`](crate::Brdf::eval_batch), [`pdf_batch`](crate::Brdf::pdf_batch) and
 //! [`sample_batch`](crate::Brdf::sample_batch) run a model over slices, at the speed of SIMD code:
 //! every model has them, boxed and described ones too, and those of other crates. They write into the
-//! caller's memory and allocate none. Any length will do.
+//! caller's memory and allocate none. Any length will do, but a model is asked for 128 elements at a
+//! time: where there are fewer it is asked again for the first of them, and what it says is dropped.
 //!
 //! ```
 //! use brdf::{Brdf, Conductor, CookTorrance, Ggx, SmithCorrelated};

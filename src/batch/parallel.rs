@@ -33,7 +33,7 @@ const fn middle(length: usize) -> Option<usize> {
 /// [`Brdf::eval_batch`] on all cores.
 ///
 /// # Errors
-/// As there.
+/// If slices differ in length, or their number is not that of the channels. Nothing is written then.
 pub fn eval<T: Real, M: Brdf<T> + ?Sized>(
     model: &M,
     wi: Directions<'_, T>,
@@ -65,7 +65,7 @@ fn eval_part<T: Real, M: Brdf<T> + ?Sized>(
 /// [`Brdf::pdf_batch`] on all cores.
 ///
 /// # Errors
-/// As there.
+/// If slices differ in length, or their number is not that of the channels. Nothing is written then.
 pub fn pdf<T: Real, M: Brdf<T> + ?Sized>(
     model: &M,
     wi: Directions<'_, T>,
@@ -94,7 +94,7 @@ fn pdf_part<T: Real, M: Brdf<T> + ?Sized>(
 /// [`Brdf::sample_batch`] on all cores.
 ///
 /// # Errors
-/// As there.
+/// If slices differ in length, or their number is not that of the channels. Nothing is written then.
 pub fn sample<T: Real, M: Brdf<T> + ?Sized>(
     model: &M,
     wo: Directions<'_, T>,

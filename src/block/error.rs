@@ -58,9 +58,9 @@ impl fmt::Display for BatchError {
                 write!(f, "{argument} has {length} elements, but {other} has {other_length}")
             }
             Self::Channels { argument, slices, channels } => {
-                write!(f, "{argument} has {slices} slices, but the color has {channels} channels")
+                write!(f, "{argument} has {slices} slices for a color of channel count {channels}")
             }
-            Self::Parameter { index, error } => write!(f, "element {index}: {error}"),
+            Self::Parameter { index, .. } => write!(f, "there is no model for element {index}"),
         }
     }
 }

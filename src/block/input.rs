@@ -112,9 +112,10 @@ pub(super) fn whole<T>(slice: &[T], start: usize) -> Option<&[T; BLOCK]> {
     slice.get(start..).and_then(<[T]>::first_chunk)
 }
 
-/// Copies what there is of a block, and zeros behind it.
+/// Copies what there is of a block, and its first element behind it: a formula may rely on what it
+/// is asked.
 pub(super) fn fill<T: Real>(memory: &mut Plane<T>, from: &[T]) {
-    *memory = [T::lit(0.0); BLOCK];
+    *memory = [from.first().copied().unwrap_or(T::lit(0.0)); BLOCK];
     for (memory, from) in memory.iter_mut().zip(from) {
         *memory = *from;
     }
@@ -127,10 +128,9 @@ fn rearrange<T: Real>(vectors: &[T::Vec3], memory: &mut Planes<T, 3>) {
         for (index, vector) in vectors.iter().enumerate() {
             memory.set(index, *vector);
         }
-    } else {
-        *memory = Planes::new();
-        for (index, vector) in vectors.iter().enumerate() {
-            memory.set(index, *vector);
+    } else if let Some(first) = vectors.first() {
+        for index in 0..BLOCK {
+            memory.set(index, *vectors.get(index).unwrap_or(first));
         }
     }
 }
@@ -178,8 +178,10 @@ impl<'a, T: Real> Uniforms<'a, T> {
     {
         match *self {
             Self::Pairs(pairs) => {
-                *memory = Planes::new();
-                for (index, pair) in pairs.iter().skip(start).take(BLOCK).enumerate() {
+                let rest = pairs.get(start..).unwrap_or_default();
+                let first = rest.first().copied().unwrap_or([T::lit(0.0); 2]);
+                *memory = Planes(first.map(|number| [number; BLOCK]));
+                for (index, pair) in rest.iter().take(BLOCK).enumerate() {
                     memory.0[0][index] = pair[0];
                     memory.0[1][index] = pair[1];
                 }

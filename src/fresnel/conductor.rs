@@ -20,7 +20,7 @@ use crate::real::{Color, Real, lift};
 ///
 /// k is the extinction coefficient itself, not κ = k/n. With k = 0 this is
 /// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 but for
-/// rounding, unless n = 1 and k < 10⁻¹⁸, which counts as no surface: R = 0.
+/// rounding, unless n = 1 and k < 10⁻¹⁸: there R falls to 0, that of no surface.
 ///
 /// Reciprocal. Conserving: R ≤ 1.
 ///

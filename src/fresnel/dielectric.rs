@@ -28,7 +28,7 @@ use crate::real::{Color, Real, lift};
 ///
 /// The differences in the textbook's formulas are evaluated as sums, p − q = (n₁² − n₂²)/(p + q),
 /// so that the answer keeps its digits for n near 1 and near the normal: in `f32` R stays within
-/// 1.2·10⁻⁶ relative of the exact value, except where |q²| < n₂²/10, close to the critical angle.
+/// 2·10⁻⁶ relative of the exact value, except where |q²| < n₂²/10, close to the critical angle.
 /// There the slope of R is infinite, and q² is off by about ε min(n₂², |n₂² − n₁²|), which makes
 /// R off by that over q times 4/p + 2c/(n₁ s²): a few 10⁻⁶ next to the critical angle, 10⁻³ at it.
 ///

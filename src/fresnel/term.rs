@@ -29,10 +29,10 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     /// What a reflectance has channels for.
     type Color: Color<T>;
 
-    /// Reflectance in 0 … 1 at the cosine of the angle of incidence. ([`Cook`](super::Cook) is the exception: its
-    /// answer contains the light.)
+    /// Reflectance in 0 … 1 at the cosine of the angle of incidence. ([`Cook`](super::Cook) is the
+    /// exception: its answer contains the light.)
     ///
-    /// A cosine above 1 counts as 1. A negative one means light from the other side to
+    /// A cosine beyond ±1 counts as ±1. A negative one means light from the other side to
     /// [`Dielectric`](super::Dielectric); the other models have one side only and ignore the sign.
     fn reflectance(&self, cos_theta: T) -> Self::Color;
 

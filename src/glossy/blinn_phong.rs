@@ -38,7 +38,7 @@ use crate::sampling::uniform;
 /// much narrower across than along.
 ///
 /// (N·H)² is z²/(x² + y² + z²) of wi + wo, a power without a root; the relative error in `f32` is
-/// at most 5·10⁻⁷ (1 + n (1 − S)/S) with S = N·H.
+/// at most 5·10⁻⁷ (1 + n (1 − S)/S) with S = N·H, for values down to 10⁻³⁰.
 ///
 /// Sampled by half vectors with density (n + 2)/(2π) (N·H)ⁿ⁺¹, that is
 /// (n + 2)/(8π) (N·H)ⁿ⁺¹/(V·H) per steradian of `wi`. The directional albedo is an integral over

@@ -15,8 +15,8 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     fn density(&self, h: T::Vec3) -> T;
 
     /// D of the unit vector along `m`, whatever the length of `m`: for distributions that do not
-    /// need it, models are spared its normalisation. Where the square of the length is below
-    /// 10⁻³⁷ or overflows, finite and never negative but of no meaning.
+    /// need it, models are spared its normalisation. Where the square of the length does not lie in
+    /// 10⁻²⁸ … 10²⁸, finite and never negative but of no meaning.
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
         self.density(m.normalize_or_normal())

@@ -84,10 +84,11 @@ impl<T: Real> Distribution<T> for Ggx<T> {
         let zero = T::lit(0.0);
         let cos_squared = m.z().squared();
         // A vector taken for a unit vector needs this too: the fourth power would multiply the
-        // rounding of its length. The bounds keep vectors without length from dividing 0 by 0, and
-        // very long ones infinity by infinity.
+        // rounding of its length. The bound keeps very long ones from dividing infinity by infinity.
         let length_squared = m.x().squared() + m.y().squared() + cos_squared;
-        let stretched = (self.roughness.tilt_squared(m) + cos_squared).max(T::lit(1e-37));
+        // No roughness is above 10⁴.
+        let least = length_squared * T::lit(1e-9);
+        let stretched = (self.roughness.tilt_squared(m) + cos_squared).max(least);
         let quotient = length_squared.min(T::max_finite()) / stretched;
         let density = (self.roughness.peak() * quotient.squared()).min(T::max_finite());
         T::select(m.z().gt(zero), density, zero)

@@ -48,7 +48,7 @@ pub trait Mask: Copy + Debug {
 /// | `atan2` | 1.5 | 1.4 | |
 /// | `erf` | 0.55 | 1.25 | |
 /// | `erfc` | 0.6 | 1.5 | in the tail too, down to underflow |
-/// | `erfcx` | | | to 2.7·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64` |
+/// | `erfcx` | | | to 3.5·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64` |
 /// | `ierfc` | | | x + ierfc x to 3.2·10⁻⁷ in `f32`, 3·10⁻¹⁶ in `f64` |
 /// | `erf_inv` | 3.5 | 2.0 | beyond ±1 the value at the largest number below 1 |
 /// | `sqrt`, `floor` | exact | exact | correctly rounded |
@@ -142,7 +142,7 @@ pub trait Real:
     /// Square root, correctly rounded.
     #[must_use]
     fn sqrt(self) -> Self;
-    /// 1/√x of a normal number x > 0, the largest included; of 0 a large finite number. Elsewhere
+    /// 1/√x of a normal number x > 0, the largest included; of +0 a large finite number. Elsewhere
     /// the answer has no meaning.
     ///
     /// Made of multiplications and additions alone for `f32`, `f64` and their lanes, with which a
@@ -167,8 +167,9 @@ pub trait Real:
     /// `self` to a real power, for `self >= 0`; 0⁰ = 1.
     #[must_use]
     fn powf(self, exponent: Self) -> Self;
-    /// (x/(x + `rest`))ⁿ for `self` = x > 0, `rest` ≥ 0 and an `exponent` n ≥ 0, where x + `rest` is
-    /// finite and x/(x + `rest`) a normal number. Elsewhere the answer has no meaning.
+    /// (x/(x + `rest`))ⁿ for `self` = x > 0, `rest` ≥ 0 and an `exponent` n ≥ 0, where x and
+    /// x/(x + `rest`) are normal numbers and x + `rest` is at most 10³⁸. Elsewhere the answer has no
+    /// meaning.
     ///
     /// The power of a number close to 1 of which it is known what is missing there: cosⁿα of
     /// cos²α and sin²α. It keeps the digits of both, and needs no root and no quotient of them. Its

@@ -47,5 +47,5 @@ fn three_slices_hold_three_channels() {
     let values = ColorBuffer::Planes([r, g, b]);
     let error = gray.eval_batch(Vec3::Z.into(), Vec3::Z.into(), values).unwrap_err();
     assert_eq!(error, BatchError::Channels { argument: "values", slices: 3, channels: 4 });
-    assert_eq!(error.to_string(), "values has 3 slices, but the color has 4 channels");
+    assert_eq!(error.to_string(), "values has 3 slices for a color of channel count 4");
 }

@@ -3,5 +3,6 @@
 mod bits;
 mod each;
 mod errors;
+mod padding;
 mod parallel;
 mod parts;

@@ -57,7 +57,7 @@ pub(in crate::real) fn erfc(x: f32) -> f32 {
 }
 
 /// 1/(x + 1.5) times a polynomial in that reciprocal less ¼, made like that of [`ierfc`], for all
-/// x ≥ 0: 3·10⁻⁸ of the value, and 2.7·10⁻⁷ with the rounding of the arithmetic.
+/// x ≥ 0: 3·10⁻⁸ of the value, and 3.5·10⁻⁷ with the rounding of the arithmetic.
 #[inline(always)]
 pub(in crate::real) fn erfcx(x: f32) -> f32 {
     let reciprocal = 1.0 / (x + 1.5);
