@@ -78,6 +78,13 @@ pub fn above_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
     off.abs().le(T::lit(0.01)).and(w.z().gt(T::lit(0.0)))
 }
 
+/// A direction above the surface; the normal in the place of any other vector.
+#[inline(always)]
+pub(crate) fn above_or_normal<T: Real, V: Vector<T>>(w: V) -> V {
+    let normal = V::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+    V::select(above_surface::<T, _>(w), w, normal)
+}
+
 /// The mirror direction R = 2N(N·L) − L of a direction that points away from the surface.
 ///
 /// ```

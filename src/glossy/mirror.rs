@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_1_PI, TAU};
 
-use crate::direction::above_surface;
+use crate::direction::above_or_normal;
 use crate::frame::Frame;
 use crate::real::{Real, Vector};
 
@@ -19,9 +19,7 @@ pub(super) fn mirror_versine<T: Real>(wi: T::Vec3, wo: T::Vec3) -> T {
 /// `wo` as a unit vector; the normal where it is no direction above the surface.
 #[inline(always)]
 pub(super) fn unit_viewer<T: Real>(wo: T::Vec3) -> T::Vec3 {
-    let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-    let viewer = <T::Vec3 as Vector<T>>::select(above_surface::<T, _>(wo), wo, normal);
-    Vector::normalize_or_normal(viewer)
+    Vector::normalize_or_normal(above_or_normal::<T, _>(wo))
 }
 
 /// The unit direction at an angle of given 1 − cos from the mirror direction of `wo`, at azimuth

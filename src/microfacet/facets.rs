@@ -7,8 +7,8 @@ use super::distribution::Distribution;
 use super::shadowing::Shadowing;
 use crate::block::planes::{Answers, BLOCK, Components, Plane, Planes, within};
 use crate::block::{BatchError, Directions, InstructionSet, run};
-use crate::direction::{Pair, above_surface, reflect};
-use crate::real::{Mask, Real, Vector, in_place};
+use crate::direction::{Pair, above_or_normal, above_surface, reflect};
+use crate::real::{Mask, Real, in_place};
 
 /// The facets of a surface.
 #[derive(Clone, Copy)]
@@ -127,7 +127,7 @@ impl<D, S> Facets<'_, D, S> {
         D: Distribution<T>,
         S: Shadowing<T, D>,
     {
-        self.shadowing.sample_visible(self.distribution, viewer::<T>(wo), u)
+        self.shadowing.sample_visible(self.distribution, above_or_normal::<T, _>(wo), u)
     }
 
     /// What a facet of the drawn normal `h` mirrors to the viewer.
@@ -138,7 +138,7 @@ impl<D, S> Facets<'_, D, S> {
         S: Shadowing<T, D>,
     {
         let (zero, above) = (T::lit(0.0), above_surface::<T, _>(wo));
-        let wo = viewer::<T>(wo);
+        let wo = above_or_normal::<T, _>(wo);
         let wi = reflect(wo, h);
         // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
         let pair = Pair::new(wi, wo);
@@ -245,13 +245,6 @@ impl<D, S> Facets<'_, D, S> {
             },
         );
     }
-}
-
-/// A direction above the surface; the normal in the place of any other.
-#[inline(always)]
-fn viewer<T: Real>(wo: T::Vec3) -> T::Vec3 {
-    let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-    Vector::select(above_surface::<T, _>(wo), wo, normal)
 }
 
 /// The cosine that the Fresnel term is asked for. That of a pair exceeds 1 by the rounding of the

@@ -3,7 +3,7 @@
 
 use core::f64::consts::PI;
 
-use crate::direction::above_surface;
+use crate::direction::above_or_normal;
 use crate::error::{ParameterError, range};
 use crate::real::{Real, Vector, lift};
 
@@ -71,8 +71,7 @@ impl<T: Real> Roughness<T> {
     /// A vector in the direction of [`stretch`](Self::stretch), of any length.
     #[inline(always)]
     pub(super) fn stretch_to_any_length(&self, w: T::Vec3) -> T::Vec3 {
-        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-        let w: T::Vec3 = Vector::select(above_surface::<T, _>(w), w, normal);
+        let w = above_or_normal::<T, _>(w);
         Vector::new(w.x() * self.along[0], w.y() * self.along[1], w.z())
     }
 

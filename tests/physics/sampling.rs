@@ -135,15 +135,6 @@ fn albedo_is_the_integral() {
     });
 }
 
-/// All figures, for those who want to see them: `cargo test --test physics -- --ignored figures`.
-#[test]
-#[ignore = "prints only"]
-fn figures() {
-    for Case { name, sampling, .. } in CASES.iter() {
-        println!("{name}: {sampling:?}");
-    }
-}
-
 /// A model that claims the density of another.
 struct Claims<M, P> {
     drawn: M,

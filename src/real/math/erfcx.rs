@@ -1,5 +1,6 @@
 //! The complement of the error function without its exponential, for any number.
 
+use super::of_pairs;
 use crate::real::Real;
 
 /// exp(x²) erfc x for x ≥ 0, to 10⁻¹⁵ of its size.
@@ -10,12 +11,7 @@ use crate::real::Real;
 pub(crate) fn erfcx<T: Real>(x: T) -> T {
     let (one, three) = (T::lit(1.0), T::lit(3.0));
     let t = one - (three + three) / (x + three);
-    let square = t.squared();
-    // Pairs of terms, which halves the chain of dependent operations.
-    let mut polynomial = T::lit(LAST);
-    for pair in PAIRS.iter().rev() {
-        polynomial = polynomial * square + (T::lit(pair[0]) + T::lit(pair[1]) * t);
-    }
+    let polynomial = of_pairs(t, &PAIRS, LAST);
     polynomial / (one + (x + x))
 }
 

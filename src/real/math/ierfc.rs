@@ -1,5 +1,6 @@
 //! The integral of erfc from x ≥ 0 to infinity, for any number.
 
+use super::of_pairs;
 use crate::real::Real;
 
 /// exp(−x²)/√π − x erfc x with a relative error of 7·10⁻¹⁶ plus that of the exponential, in the
@@ -12,12 +13,7 @@ pub(crate) fn ierfc<T: Real>(x: T) -> T {
     // exp(−40²) is zero in every number; the bound keeps infinity out of the quotient.
     let x = x.min(T::lit(40.0));
     let t = (x - T::lit(3.0)) / (x + T::lit(3.0));
-    let square = t.squared();
-    // Pairs of terms, which halves the chain of dependent operations.
-    let mut polynomial = T::lit(LAST);
-    for pair in PAIRS.iter().rev() {
-        polynomial = polynomial * square + (T::lit(pair[0]) + T::lit(pair[1]) * t);
-    }
+    let polynomial = of_pairs(t, &PAIRS, LAST);
     (-x.squared()).exp() * polynomial / (T::lit(1.0) + x).squared()
 }
 

@@ -9,8 +9,10 @@
 //! The polynomials are minimax approximations made for this crate (Remez exchange with 60 digits,
 //! coefficients rounded one after the other); each states what it approximates.
 //!
-//! The table of [`Real`](super::Real) states their largest errors, asserted by
+//! The table of [`Real`] states their largest errors, asserted by
 //! `tests/elementary.rs`.
+
+use super::Real;
 
 /// c₀ + c₁x + c₂x² + …: pairs of terms by Horner's rule in x², which halves the chain of
 /// dependent operations.
@@ -25,6 +27,17 @@ macro_rules! polynomial {
         let square = x * x;
         polynomial!(@ x square $($coefficient),+)
     }};
+}
+
+/// The same for any number: the terms but the last in pairs.
+#[inline(always)]
+fn of_pairs<T: Real>(x: T, pairs: &[[f64; 2]], last: f64) -> T {
+    let square = x.squared();
+    let mut polynomial = T::lit(last);
+    for pair in pairs.iter().rev() {
+        polynomial = polynomial * square + (T::lit(pair[0]) + T::lit(pair[1]) * x);
+    }
+    polynomial
 }
 
 pub(super) mod double;
