@@ -43,22 +43,26 @@ impl<T: Real> Pair<T> {
     #[inline(always)]
     #[must_use]
     pub fn new(wi: T::Vec3, wo: T::Vec3) -> Self {
+        Self::where_above(wi, wo, above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
+    }
+
+    /// The same where it is known already which pairs are above the surface.
+    #[inline(always)]
+    pub(crate) fn where_above(wi: T::Vec3, wo: T::Vec3, above: T::Mask) -> Self {
         let (cos_i, cos_o) = (wi.z(), wo.z());
-        // One square root serves h and V·H, since |wi + wo| = 2 V·H for unit directions. A sum too
-        // short for its square to be represented is along the normal to all digits: then x and y
-        // cancelled, and z took no part in that.
+        // One square root serves h and V·H, since |wi + wo| = 2 V·H for unit directions. Above the
+        // surface the floor, 2⁻⁶⁰, matters only where the sum is too short to point anywhere else.
         let sum = wi + wo;
-        let length_squared = Vector::length_squared(sum);
-        let usable = length_squared.gt(T::lit(1e-37));
-        let length = T::select(usable, length_squared, T::lit(1.0)).sqrt();
-        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
-        let cos_d = T::select(usable, length, sum.z()) * T::lit(0.5);
-        let sum = <T::Vec3 as Vector<T>>::select(usable, sum, normal);
+        let sum: T::Vec3 = Vector::new(sum.x(), sum.y(), sum.z().max(T::lit(FLOOR)));
+        let length = Vector::length_squared(sum).sqrt();
+        let cos_d = length * T::lit(0.5);
         let h = sum * (T::lit(1.0) / length);
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
         Self { wi, wo, cos_i, cos_o, sum, h, cos_h: h.z(), cos_d, above }
     }
 }
+
+/// 2⁻⁶⁰. A power of two, so that the length of such a sum has an exact reciprocal.
+const FLOOR: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// Where `w` is a direction above the surface: its z is positive and its squared length lies
 /// within 1 % of 1. A length further off is taken for a mistake, not for a direction; one within

@@ -24,9 +24,9 @@ pub trait Shadowing<T: Real, D>: Send + Sync {
     /// the light reaches. Times F it is the weight of a sample.
     fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T;
 
-    /// Draws `h` with the density of the normals visible from a direction `wo` above the surface,
-    /// G₁(wo, h) (wo·h)₊ D(h) / (N·wo). The uniform numbers are taken as by
-    /// [`Brdf::sample`](crate::Brdf::sample).
+    /// Draws `h` with the density of the normals visible from `wo`, G₁(wo, h) (wo·h)₊ D(h) / (N·wo).
+    /// A `wo` that is no direction above the surface counts as the normal. The uniform numbers are
+    /// taken as by [`Brdf::sample`](crate::Brdf::sample).
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 }
 

@@ -2,7 +2,7 @@ use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use super::distribution::Distribution;
 use super::shadowing::Shadowing;
-use crate::direction::Pair;
+use crate::direction::{Pair, above_or_normal};
 use crate::real::{Real, Vector, iterate, lift};
 use crate::sampling::uniform;
 
@@ -81,6 +81,7 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
 
     #[inline(always)]
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        let wo = above_or_normal::<T, _>(wo);
         let ([tilt, place], zero, one) = (uniform(u), T::lit(0.0), T::lit(1.0));
         // All facets of this tilt: (x cosψ, y sinψ, z), of which one eighth of a turn shows both
         // x/√2 and y/√2.
