@@ -1,3 +1,5 @@
+use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
+
 use super::polarized::Polarized;
 use super::term::{Fresnel, incident_cosine};
 use crate::error::{ParameterError, range};
@@ -120,9 +122,9 @@ pub(super) struct Refraction<T: Real> {
     /// |q|² = a² + b², q = a + ib being the normal component of the refracted wave vector over
     /// that in vacuum.
     modulus_squared: T,
-    /// The larger of a and b.
+    /// √2 times the larger of a and b.
     larger: T,
-    /// a b = n k.
+    /// 2ab = 2nk.
     product: T,
     /// Where a is the larger one.
     propagates: T::Mask,
@@ -142,17 +144,17 @@ impl<T: Real> Refraction<T> {
         let large = squared.ge(T::lit(0.5));
         let contrast = T::select(large, (eta - one) * (eta + one) - k * k, squared - one);
         let x = T::select(large, contrast + cos_squared, squared - sin_squared);
-        let product = eta * k;
-        let y_squared = T::lit(4.0) * product.squared();
+        let product = T::lit(2.0) * eta * k;
+        let y_squared = product.squared();
 
         // The floor stands where q = 0, at a critical angle; it is below the rounding of x² there.
-        let modulus_squared = (x * x + y_squared).max(T::lit(1e-37)).sqrt();
+        let modulus_squared = (x * x + y_squared.max(T::lit(1e-37))).sqrt();
         Self {
             cos,
             cos_squared,
             sin_squared,
             modulus_squared,
-            larger: ((modulus_squared + x.abs()) * T::lit(0.5)).sqrt(),
+            larger: (modulus_squared + x.abs()).sqrt(),
             product,
             propagates: x.ge(T::lit(0.0)),
             contrast: contrast.squared() + y_squared,
@@ -162,37 +164,36 @@ impl<T: Real> Refraction<T> {
     /// a and b, the smaller one without a difference.
     #[inline(always)]
     pub(super) fn parts(&self) -> (T, T) {
-        let smaller = self.product / self.larger;
-        (
-            T::select(self.propagates, self.larger, smaller),
-            T::select(self.propagates, smaller, self.larger),
-        )
+        let larger = self.larger * T::lit(FRAC_1_SQRT_2);
+        let smaller = self.product / (self.larger * T::lit(SQRT_2));
+        (T::select(self.propagates, larger, smaller), T::select(self.propagates, smaller, larger))
     }
 
-    /// |u + q|² = |q|² + u² + 2au times `scale`, from a times `scale`.
+    /// |u + q|² = |q|² + u² + 2au times `scale`, from 2au times `scale`.
     #[inline(always)]
-    fn sum_squared(&self, a: T, scale: T) -> T {
-        (self.modulus_squared + self.cos_squared) * scale + (a + a) * self.cos
+    fn sum_squared(&self, twice_au: T, scale: T) -> T {
+        (self.modulus_squared + self.cos_squared) * scale + twice_au
     }
 
     /// |u q|² + s⁴ and 2 a u s², half the sum and a quarter of the difference of |u q ± s²|², times
-    /// `scale`, from a times `scale`.
+    /// `scale`, from 2au times `scale`.
     #[inline(always)]
-    fn parallel(&self, a: T, scale: T) -> (T, T) {
+    fn parallel(&self, twice_au: T, scale: T) -> (T, T) {
         let mean = self.cos_squared * self.modulus_squared + self.sin_squared.squared();
-        (mean * scale, (a + a) * self.cos * self.sin_squared)
+        (mean * scale, twice_au * self.sin_squared)
     }
 
     /// (R_s + R_p)/2.
     ///
-    /// Where b is the larger of a and b, a = n k/b, and numerator and denominator are taken b³
+    /// Where b is the larger of a and b, a = n k/b, and numerator and denominator are taken (√2 b)³
     /// times as large: one quotient is enough.
     #[inline(always)]
     pub(super) fn unpolarized(self) -> T {
         let scale = T::select(self.propagates, T::lit(1.0), self.larger);
-        let a = T::select(self.propagates, self.larger, self.product);
-        let (mean, cross) = self.parallel(a, scale);
-        let below = self.sum_squared(a, scale).squared() * (mean + cross);
+        let root_of_two_a = T::select(self.propagates, self.larger, self.product);
+        let twice_au = root_of_two_a * (self.cos * T::lit(SQRT_2));
+        let (mean, cross) = self.parallel(twice_au, scale);
+        let below = self.sum_squared(twice_au, scale).squared() * (mean + cross);
         // At most 1, but for rounding. In `f32` both may underflow where N = 1 but for k < 10⁻¹⁰
         // and u < k; this makes it the 1 of grazing.
         (self.contrast * scale.squared() * mean / below).min(T::lit(1.0))
@@ -201,8 +202,9 @@ impl<T: Real> Refraction<T> {
     #[inline(always)]
     fn polarized(self) -> Polarized<T> {
         let (one, (a, b)) = (T::lit(1.0), self.parts());
-        let (mean, cross) = self.parallel(a, one);
-        let s = (self.contrast / self.sum_squared(a, one).squared()).min(one);
+        let twice_au = (a + a) * self.cos;
+        let (mean, cross) = self.parallel(twice_au, one);
+        let s = (self.contrast / self.sum_squared(twice_au, one).squared()).min(one);
         let real = self.cos * a - self.sin_squared;
         let imaginary = self.cos * b;
         let ratio = (real.squared() + imaginary.squared()) / (mean + cross);

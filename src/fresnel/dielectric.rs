@@ -7,8 +7,8 @@ use crate::real::{Color, Real, lift};
 /// Fresnel's reflectance of a transparent medium, exact, from either side.
 ///
 /// ```text
-/// R_s = ((p − q)/(p + q))²    R_p = R_s ((c q − n₁ s²)/(c q + n₁ s²))²    R = (R_s + R_p)/2
-/// p = n₁ c    q = √(n₂² − n₁² s²)    c = |cosθ|    s² = (1 − c)(1 + c)
+/// R_s = ((c − q)/(c + q))²    R_p = R_s ((c q − s²)/(c q + s²))²    R = (R_s + R_p)/2
+/// q = √(η² − s²)    η = n₂/n₁    c = |cosθ|    s² = (1 − c)(1 + c)
 /// ```
 ///
 /// | symbol | parameter | meaning | range |
@@ -26,11 +26,11 @@ use crate::real::{Color, Real, lift};
 ///
 /// Reciprocal: the same from either side along a refracted ray. Conserving: R ≤ 1.
 ///
-/// The differences in the textbook's formulas are evaluated as sums, p − q = (n₁² − n₂²)/(p + q),
-/// so that the answer keeps its digits for n near 1 and near the normal: in `f32` R stays within
-/// 2·10⁻⁶ relative of the exact value, except where |q²| < n₂²/10, close to the critical angle.
-/// There the slope of R is infinite, and q² is off by about ε min(n₂², |n₂² − n₁²|), which makes
-/// R off by that over q times 4/p + 2c/(n₁ s²): a few 10⁻⁶ next to the critical angle, 10⁻³ at it.
+/// The differences in the textbook's formulas are evaluated as sums, c − q = (1 − η²)/(c + q), so
+/// that the answer keeps its digits for n near 1 and near the normal: in `f32` R stays within
+/// 2·10⁻⁶ relative of the exact value, except where |q²| < η²/10, close to the critical angle.
+/// There the slope of R is infinite, and q² is off by about ε min(η², |η² − 1|), which makes R off
+/// by that over q times 4/c + 2c/s²: a few 10⁻⁶ next to the critical angle, 10⁻³ at it.
 ///
 /// The average is exact up to rounding; see [`average`](Fresnel::average).
 ///
@@ -105,15 +105,15 @@ pub fn dielectric_polarized<T: Real>(ior: T, cos_theta: T) -> Polarized<T> {
     Interface::new(ior, cos_theta).polarized()
 }
 
-/// What R_s and R_p consist of.
+/// What R_s and R_p consist of. The index η is that of the far side over that of the near one.
 struct Interface<T: Real> {
-    /// n₂² − n₁², positive when the light enters the denser medium.
+    /// η² − 1, positive when the light enters the denser medium.
     difference: T,
-    /// (p + q)², never below |n₂² − n₁²|.
+    /// (c + q)².
     sum_squared: T,
-    /// c q, which is n₂ cosα cosβ.
+    /// c q, which is η cosα cosβ.
     cosines: T,
-    /// n₁ s², which is n₂ sinα sinβ.
+    /// s², which is η sinα sinβ.
     sines: T,
     /// Where the reflection is total.
     total: T::Mask,
@@ -125,33 +125,30 @@ impl<T: Real> Interface<T> {
         let (zero, one) = (T::lit(0.0), T::lit(1.0));
         let from_below = cos_theta.lt(zero);
         let cos = cos_theta.abs().min(one);
-        let sin_squared = (one - cos) * (one + cos);
+        let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
 
         // What depends on the index alone is chosen, not computed, for each side.
         let (squared, contrast) = (ior * ior, (ior - one) * (ior + one));
-        let n1 = T::select(from_below, ior, one);
-        let n1_squared = T::select(from_below, squared, one);
-        let n2_squared = T::select(from_below, one, squared);
-        let difference = T::select(from_below, -contrast, contrast);
+        let inverse = one / squared;
+        let eta_squared = T::select(from_below, inverse, squared);
+        let difference = T::select(from_below, -contrast * inverse, contrast);
 
         // q², by whichever of the two equal forms cancels less towards the critical angle.
-        let (p, sines) = (n1 * cos, n1 * sin_squared);
         let q_squared = T::select(
-            (n2_squared + n2_squared).lt(n1_squared),
-            n2_squared - n1 * sines,
-            difference + p * p,
+            eta_squared.lt(T::lit(0.5)),
+            eta_squared - sin_squared,
+            difference + cos_squared,
         );
-        let total = q_squared.lt(zero);
         // A root has no derivative at 0.
-        let q_squared = q_squared.max(T::lit(1e-37));
-        let q = T::select(total, zero, q_squared.sqrt());
+        let above_zero = q_squared.max(T::lit(1e-37));
+        let cosines = cos * above_zero.sqrt();
 
-        // At grazing p + q is q, and (p + q)² is to be n₂² − n₁² with all its bits: no square of
-        // a root. The least difference of two f64 indices is 2·10⁻¹⁶, so the floor only ever
-        // replaces a zero, where there is no surface.
-        let floor = contrast.abs().max(T::lit(1e-16));
-        let sum_squared = (q_squared + p * (q + q + p)).max(floor);
-        Self { difference, sum_squared, cosines: cos * q, sines, total }
+        // Small terms first: one rounding at grazing. The least difference of two f64 indices is
+        // 2·10⁻¹⁶, so the floor only ever replaces what is no surface, or reflects totally.
+        let sum_squared = above_zero + (cos_squared + (cosines + cosines));
+        let sum_squared = sum_squared.max(T::lit(1e-16));
+        let total = q_squared.lt(zero);
+        Self { difference, sum_squared, cosines, sines: sin_squared, total }
     }
 
     /// (R_s + R_p)/2 on one fraction line.
@@ -159,17 +156,16 @@ impl<T: Real> Interface<T> {
     fn unpolarized(self) -> T {
         let squares = self.cosines.squared() + self.sines.squared();
         let below = (self.sum_squared * (self.cosines + self.sines)).squared();
-        let reflectance = self.difference.squared() * squares / below;
-        // At most 1, but for rounding.
-        T::select(self.total, T::lit(1.0), reflectance.min(T::lit(1.0)))
+        // At most 1, but for rounding and in total reflection: there c² is less than 1 − η².
+        (self.difference.squared() * squares / below).min(T::lit(1.0))
     }
 
     #[inline(always)]
     fn polarized(self) -> Polarized<T> {
-        // In total reflection these are ±1 and −1 exactly.
-        let s = self.difference / self.sum_squared;
-        let ratio = (self.cosines - self.sines) / (self.cosines + self.sines);
-        Polarized { s: s.squared(), p: (s * ratio).squared() }
+        let s = (self.difference / self.sum_squared).squared().min(T::lit(1.0));
+        let cosines = T::select(self.total, T::lit(0.0), self.cosines);
+        let ratio = (cosines - self.sines) / (cosines + self.sines);
+        Polarized { s, p: s * ratio.squared() }
     }
 }
 
