@@ -14,6 +14,6 @@ pub(crate) fn uniform<T: Real>(u: [T; 2]) -> [T; 2] {
 pub(crate) fn cosine_hemisphere<T: Real>(u: [T; 2]) -> T::Vec3 {
     let [radius_squared, turn] = uniform(u);
     let radius = radius_squared.sqrt();
-    let (sin, cos) = (turn * T::lit(core::f64::consts::TAU)).sin_cos();
+    let (sin, cos) = turn.sin_cos_turns();
     Vector::new(radius * cos, radius * sin, (T::lit(1.0) - radius_squared).sqrt())
 }

@@ -106,6 +106,31 @@ fn trigonometric_single() {
     }
 }
 
+/// Sine and cosine of turns, with the quarters taken out before anything is rounded.
+fn exact_turns(x: f64) -> (f64, f64) {
+    let quarters = (4.0 * x).round();
+    let (sin, cos) = (std::f64::consts::TAU * (x - 0.25 * quarters)).sin_cos();
+    match quarters.rem_euclid(4.0) {
+        0.0 => (sin, cos),
+        1.0 => (cos, -sin),
+        2.0 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
+#[test]
+fn turns_single() {
+    for range in [0.5, 1.0, 1e3] {
+        let arguments = sweep(-range, range);
+        check_single("sin_turns", &arguments, 1.9, |x| x.sin_cos_turns().0, |x| exact_turns(x).0);
+        check_single("cos_turns", &arguments, 1.9, |x| x.sin_cos_turns().1, |x| exact_turns(x).1);
+    }
+    for x in [1e7, 1e20, f32::MAX] {
+        let (sin, cos) = x.sin_cos_turns();
+        assert!(sin.abs() <= 1.0 && cos.abs() <= 1.0, "{x:e}");
+    }
+}
+
 #[test]
 fn arc_single() {
     let arguments = sweep(-1.0, 1.0);
@@ -292,7 +317,7 @@ impl<'a> Reference<'a> {
 fn double() {
     const TABLE: &str = include_str!("data/elementary.csv");
     type Function = fn(f64, f64) -> f64;
-    let functions: [(&str, f64, Function); 15] = [
+    let functions: [(&str, f64, Function); 17] = [
         ("exp", 1.0, |x, _| Real::exp(x)),
         ("exp_m1", 1.25, |x, _| Real::exp_m1(x)),
         ("ln", 0.8, |x, _| Real::ln(x)),
@@ -300,6 +325,8 @@ fn double() {
         ("powf", 1.4, |x, y| Real::powf(x, y)),
         ("sin", 1.0, |x, _| Real::sin(x)),
         ("cos", 1.0, |x, _| Real::cos(x)),
+        ("sin_turns", 1.7, |x, _| Real::sin_cos_turns(x).0),
+        ("cos_turns", 1.7, |x, _| Real::sin_cos_turns(x).1),
         ("tan", 1.3, |x, _| Real::tan(x)),
         ("asin", 1.0, |x, _| Real::asin(x)),
         ("acos", 1.25, |x, _| Real::acos(x)),
@@ -476,6 +503,12 @@ macro_rules! function {
     (atan2 $number:ty) => {
         |y: $number, x: $number| Real::atan2(y, x)
     };
+    (sin_turns $number:ty) => {
+        |x: $number, _: $number| Real::sin_cos_turns(x).0
+    };
+    (cos_turns $number:ty) => {
+        |x: $number, _: $number| Real::sin_cos_turns(x).1
+    };
     ($function:ident $number:ty) => {
         |x: $number, _: $number| Real::$function(x)
     };
@@ -493,6 +526,8 @@ bits! {
     powf(0.0, 40.0) 0xd131e9dcdbe2f3ea
     sin(-100.0, 100.0) 0xf9e8231218653f09
     cos(-100.0, 100.0) 0x251f782682e4f670
+    sin_turns(-10.0, 10.0) 0x1e61989bc2b875f6
+    cos_turns(-10.0, 10.0) 0x40294a94f45f7e71
     tan(-100.0, 100.0) 0xb40d43947750bd3b
     asin(-1.0, 1.0) 0x4568fe929415346d
     acos(-1.0, 1.0) 0x368d677894e142ba
@@ -516,6 +551,8 @@ bits! {
     powf(0.0, 40.0) 0xaab4ff0832e4dff0
     sin(-100.0, 100.0) 0x73ee920376a39332
     cos(-100.0, 100.0) 0x6e8f56999a689284
+    sin_turns(-10.0, 10.0) 0x43948adc6e1419aa
+    cos_turns(-10.0, 10.0) 0x2fd868a494313c16
     tan(-100.0, 100.0) 0xfdb5c51e7595681b
     asin(-1.0, 1.0) 0x48c456ca6daf2443
     acos(-1.0, 1.0) 0x542ed0d5a7e2e6a8

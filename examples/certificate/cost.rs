@@ -51,6 +51,7 @@ fn cost(call: impl FnOnce()) -> Cost {
             | Operation::Sin
             | Operation::Cos
             | Operation::SinCos
+            | Operation::SinCosTurns
             | Operation::Tan
             | Operation::Asin
             | Operation::Acos

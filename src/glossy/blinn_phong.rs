@@ -121,7 +121,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
         let versine = -((-u).ln_1p() / (self.exponent + two)).exp_m1();
         let sin = (versine * (two - versine)).max(zero).sqrt();
         let cos_h = one - versine;
-        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
+        let (sin_phi, cos_phi) = turn.sin_cos_turns();
         let h = <T::Vec3 as Vector<T>>::new(sin * cos_phi, sin * sin_phi, cos_h);
         let viewer = unit_viewer::<T>(wo);
         let wi = reflect(viewer, h);

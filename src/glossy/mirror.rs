@@ -1,6 +1,6 @@
 //! Lobes around the mirror direction.
 
-use core::f64::consts::{FRAC_1_PI, TAU};
+use core::f64::consts::FRAC_1_PI;
 
 use crate::direction::above_or_normal;
 use crate::frame::Frame;
@@ -29,7 +29,7 @@ pub(super) fn around_mirror<T: Real>(wo: T::Vec3, versine: T, turn: T) -> T::Vec
     let viewer = unit_viewer::<T>(wo);
     let mirror = <T::Vec3 as Vector<T>>::new(-viewer.x(), -viewer.y(), viewer.z());
     let sin = (versine * (T::lit(2.0) - versine)).max(T::lit(0.0)).sqrt();
-    let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
+    let (sin_phi, cos_phi) = turn.sin_cos_turns();
     Frame::from_normal(mirror).to_world(Vector::new(
         sin * cos_phi,
         sin * sin_phi,

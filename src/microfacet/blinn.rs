@@ -1,4 +1,4 @@
-use core::f64::consts::{FRAC_1_PI, TAU};
+use core::f64::consts::FRAC_1_PI;
 
 use super::distribution::Distribution;
 use crate::error::{ParameterError, range};
@@ -111,7 +111,7 @@ impl<T: Real> Distribution<T> for Blinn<T> {
         let ln = (-u).ln_1p().max(T::lit(-85.0));
         let ln_cos = ln / (self.exponent + T::lit(2.0));
         let sin = (-(ln_cos + ln_cos).exp_m1()).max(T::lit(0.0)).sqrt();
-        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
+        let (sin_phi, cos_phi) = turn.sin_cos_turns();
         Vector::new(sin * cos_phi, sin * sin_phi, ln_cos.exp())
     }
 }

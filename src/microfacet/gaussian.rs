@@ -1,4 +1,4 @@
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::distribution::Distribution;
 use super::gaussian_tilts::Tilts;
@@ -91,7 +91,7 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let [u, turn] = uniform(u);
         let (sin, cos) = (self.roughness * self.tilts.angle(u)).sin_cos();
-        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
+        let (sin_phi, cos_phi) = turn.sin_cos_turns();
         // The number nearest to π/2 may lie above it.
         Vector::new(sin * cos_phi, sin * sin_phi, cos.max(T::lit(0.0)))
     }

@@ -1,5 +1,3 @@
-use core::f64::consts::TAU;
-
 use super::distribution::{Distribution, Smith};
 use super::roughness::Roughness;
 use crate::error::ParameterError;
@@ -99,7 +97,7 @@ impl<T: Real> Distribution<T> for Ggx<T> {
         let [u, turn] = uniform(u);
         // tan²θ = u₀/(1 − u₀) in the space of roughness 1: slope sinθ over cosθ.
         let (sin, cos) = (u.sqrt(), (T::lit(1.0) - u).sqrt());
-        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
+        let (sin_phi, cos_phi) = turn.sin_cos_turns();
         self.roughness.unstretch(sin * cos_phi, sin * sin_phi, cos)
     }
 }
@@ -133,7 +131,7 @@ impl<T: Real> Smith<T> for Ggx<T> {
         let below_top = u * height;
         let above_rim = (one - u) * height;
         let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();
-        let (sin_phi, cos_phi) = (turn * T::lit(TAU)).sin_cos();
+        let (sin_phi, cos_phi) = turn.sin_cos_turns();
         self.roughness.unstretch(sin * cos_phi + s.x(), sin * sin_phi + s.y(), above_rim)
     }
 }

@@ -1,7 +1,7 @@
 //! Slopes of a surface of roughness 1 that are normally distributed, exp(−x² − y²)/π: what
 //! Beckmann's distribution is made of.
 
-use core::f64::consts::{FRAC_2_SQRT_PI, TAU};
+use core::f64::consts::FRAC_2_SQRT_PI;
 
 use crate::real::{Real, Vector, iterate};
 use crate::sampling::uniform;
@@ -13,7 +13,7 @@ pub(super) fn slopes<T: Real>(u: [T; 2]) -> (T, T) {
     // A uniform number of f64 below 1 leaves at least 2⁻⁵³; the bound keeps 1 itself finite.
     let tan_squared = -(-u).ln_1p();
     let tan = tan_squared.min(T::lit(40.0)).sqrt();
-    let (sin, cos) = (turn * T::lit(TAU)).sin_cos();
+    let (sin, cos) = turn.sin_cos_turns();
     (tan * cos, tan * sin)
 }
 

@@ -84,6 +84,10 @@ macro_rules! float {
             fn sin_cos(self) -> (Self, Self) {
                 math::$precision::sin_cos(self)
             }
+            #[inline(always)]
+            fn sin_cos_turns(self) -> (Self, Self) {
+                math::$precision::sin_cos_turns(self)
+            }
 
             #[inline(always)]
             fn power_of_part(self, rest: Self, exponent: Self) -> Self {

@@ -147,6 +147,10 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
     fn sin_cos(self) -> (Self, Self) {
         (self.map(T::sin), self.map(T::cos))
     }
+    #[inline(always)]
+    fn sin_cos_turns(self) -> (Self, Self) {
+        (self.map(|turns| turns.sin_cos_turns().0), self.map(|turns| turns.sin_cos_turns().1))
+    }
 
     lane_functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
     lane_functions!(angle_squared erf erfc erfcx ierfc erf_inv);

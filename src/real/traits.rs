@@ -2,6 +2,7 @@
 //!
 //! They stand in one file because they refer to each other: a number names the vector made of it.
 
+use core::f64::consts::TAU;
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -41,6 +42,7 @@ pub trait Mask: Copy + Debug {
 /// | `ln_1p` | 1.4 | 1.4 | −∞ at −1, NaN below |
 /// | `powf` | 0.55 | 1.4 | NaN for a negative base |
 /// | `sin`, `cos` | 1.1 | 1.0 | for \|x\| ≤ 10⁴; beyond, in [−1, 1] but less and less precise |
+/// | `sin_cos_turns` | 1.9 | 1.7 | for \|x\| ≤ 10⁶; beyond, in [−1, 1] |
 /// | `tan` | 0.55 | 1.3 | for \|x\| ≤ 10⁴ |
 /// | `asin` | 0.55 | 1.0 | |
 /// | `acos` | 1.2 | 1.25 | |
@@ -196,6 +198,11 @@ pub trait Real:
     /// Sine and cosine of an angle in radians.
     #[must_use]
     fn sin_cos(self) -> (Self, Self);
+    /// Sine and cosine of a number of turns, 2π times `self` radians: azimuths of uniform numbers.
+    #[must_use]
+    fn sin_cos_turns(self) -> (Self, Self) {
+        (self * Self::lit(TAU)).sin_cos()
+    }
     /// Sine of an angle in radians.
     #[must_use]
     fn sin(self) -> Self {

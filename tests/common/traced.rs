@@ -136,6 +136,10 @@ impl Real for Traced {
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
+    fn sin_cos_turns(self) -> (Self, Self) {
+        let sin = record(|[a, ..]| Real::sin_cos_turns(a).0, [self.0, 0, 0], 0.0);
+        (Self(sin), Self(record(|[a, ..]| Real::sin_cos_turns(a).1, [self.0, 0, 0], 0.0)))
+    }
     functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
     functions!(angle_squared erf erfc erf_inv);
     functions_of_two!(min max copysign powf atan2);

@@ -128,6 +128,13 @@ impl Real for Faulty {
     }
     #[inline(always)]
     #[track_caller]
+    fn sin_cos_turns(self) -> (Self, Self) {
+        let turns = at(Operation::SinCosTurns, self.0, 0.0, self.0);
+        let (sin, cos) = Real::sin_cos_turns(turns);
+        (Self(sin), Self(cos))
+    }
+    #[inline(always)]
+    #[track_caller]
     fn powi(self, exponent: u32) -> Self {
         let result = Real::powi(self.0, exponent);
         Self(at(Operation::Powi, self.0, f64::from(exponent), result))

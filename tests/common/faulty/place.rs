@@ -34,6 +34,7 @@ pub enum Operation {
     Cos,
     /// The angle that goes in counts as the result.
     SinCos,
+    SinCosTurns,
     Tan,
     Asin,
     Acos,

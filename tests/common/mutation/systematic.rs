@@ -66,7 +66,7 @@ fn faults(operation: Operation) -> &'static [(&'static str, Wrong)] {
         | Operation::ErfInv
         | Operation::Normalize => &[("left out", LEFT)],
         // The angle is what is shown of it.
-        Operation::SinCos => &[("1 % larger", LARGER)],
+        Operation::SinCos | Operation::SinCosTurns => &[("1 % larger", LARGER)],
     }
 }
 

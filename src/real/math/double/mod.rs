@@ -14,7 +14,7 @@ pub(in crate::real) use exponential::{exp, exp_m1};
 pub(in crate::real) use logarithm::{ln, ln_1p};
 pub(in crate::real) use power::{power_of_part, powf};
 pub(in crate::real) use root::{rsqrt, sqrt};
-pub(in crate::real) use trigonometric::{sin_cos, tan};
+pub(in crate::real) use trigonometric::{sin_cos, sin_cos_turns, tan};
 
 /// 1.5·2⁵²: a number below 2⁵¹ added to it is rounded to an integer, which then stands in the low
 /// bits of the sum.

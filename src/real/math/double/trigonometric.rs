@@ -23,9 +23,9 @@ fn reduce(x: f64) -> (f64, f64, u64) {
 }
 
 /// r − sin(r − excess), which is +0 at both zeros so that the sine keeps the sign, and
-/// cos(r − excess) − 1.
+/// cos(r − excess) − 1, from `excess` and r times it.
 #[inline(always)]
-fn tails(r: f64, excess: f64) -> (f64, f64) {
+fn tails(r: f64, excess: [f64; 2]) -> (f64, f64) {
     let z = r * r;
     let sin = polynomial!(
         z;
@@ -37,12 +37,11 @@ fn tails(r: f64, excess: f64) -> (f64, f64) {
         0.041666666666666595, -0.0013888888888873307, 2.4801587288964847e-5,
         -2.7557314202955546e-7, 2.0875703122147364e-9, -1.1358616103411586e-11
     );
-    (excess + r * z * sin, (z * z * cos + r * excess) - 0.5 * z)
+    (excess[0] + r * z * sin, (z * z * cos + excess[1]) - 0.5 * z)
 }
 
 #[inline(always)]
-pub(in crate::real) fn sin_cos(x: f64) -> (f64, f64) {
-    let (r, excess, quadrant) = reduce(x);
+fn in_quadrant(r: f64, excess: [f64; 2], quadrant: u64) -> (f64, f64) {
     let (sin_tail, cos_tail) = tails(r, excess);
     let (sin, cos) = (r - sin_tail, 1.0 + cos_tail);
     let swap = quadrant & 1 == 1;
@@ -54,9 +53,27 @@ pub(in crate::real) fn sin_cos(x: f64) -> (f64, f64) {
 }
 
 #[inline(always)]
+pub(in crate::real) fn sin_cos(x: f64) -> (f64, f64) {
+    let (r, excess, quadrant) = reduce(x);
+    in_quadrant(r, [excess, r * excess], quadrant)
+}
+
+/// Of whole turns: quarters are counted without rounding.
+#[inline(always)]
+pub(in crate::real) fn sin_cos_turns(x: f64) -> (f64, f64) {
+    // The spacing of numbers around a quarter of `ROUND` is a quarter.
+    let shifted = x + 0.25 * ROUND;
+    let r = x - (shifted - 0.25 * ROUND);
+    let r = if r > 0.125 { 0.125 } else { r };
+    let r = if r < -0.125 { -0.125 } else { r };
+    // Adding −0 is adding nothing.
+    in_quadrant(r * core::f64::consts::TAU, [-0.0; 2], shifted.to_bits())
+}
+
+#[inline(always)]
 pub(in crate::real) fn tan(x: f64) -> f64 {
     let (r, excess, quadrant) = reduce(x);
-    let (sin_tail, cos_tail) = tails(r, excess);
+    let (sin_tail, cos_tail) = tails(r, [excess, r * excess]);
     // Sine and cosine, each with what its sum lost.
     let (sin, cos) = (r - sin_tail, 1.0 + cos_tail);
     let (sin_low, cos_low) = ((r - sin) - sin_tail, (1.0 - cos) + cos_tail);

@@ -22,20 +22,39 @@ fn reduce(x: f32) -> (f32, f32, u32) {
     (r, excess, shifted.to_bits())
 }
 
+/// Sine and cosine of an angle and a quadrant, and what is to be taken from the sine and added to the cosine
+/// for the angle's excess.
 #[inline(always)]
-pub(in crate::real) fn sin_cos(x: f32) -> (f32, f32) {
-    let (r, excess, quadrant) = reduce(x);
+fn in_quadrant(r: f32, excess: [f32; 2], quadrant: u32) -> (f32, f32) {
     let z = r * r;
-    // The bracket is +0 at both zeros, so that the sine keeps the sign.
-    let sin = r - (excess + r * z * polynomial!(z; 0.16666655, -0.008332187, 0.00019517838));
+    let sin = r - (excess[0] + r * z * polynomial!(z; 0.16666655, -0.008332187, 0.00019517838));
     let tail = z * z * polynomial!(z; 0.041666646, -0.001388731, 2.4432322e-5);
-    let cos = 1.0 - (0.5 * z - (tail + r * excess));
+    let cos = 1.0 - (0.5 * z - (tail + excess[1]));
     let swap = quadrant & 1 == 1;
     let (sin, cos) = (if swap { cos } else { sin }, if swap { sin } else { cos });
     let sin_sign = (quadrant & 2) << 30;
     let cos_sign = (quadrant.wrapping_add(1) & 2) << 30;
     let sin = f32::from_bits(sin.to_bits() ^ sin_sign);
     (sin, f32::from_bits(cos.to_bits() ^ cos_sign))
+}
+
+#[inline(always)]
+pub(in crate::real) fn sin_cos(x: f32) -> (f32, f32) {
+    let (r, excess, quadrant) = reduce(x);
+    // The first is +0 at both zeros, so that the sine keeps the sign.
+    in_quadrant(r, [excess, r * excess], quadrant)
+}
+
+/// Of whole turns: quarters are counted without rounding.
+#[inline(always)]
+pub(in crate::real) fn sin_cos_turns(x: f32) -> (f32, f32) {
+    // The spacing of numbers around a quarter of `ROUND` is a quarter.
+    let shifted = x + 0.25 * ROUND;
+    let r = x - (shifted - 0.25 * ROUND);
+    let r = if r > 0.125 { 0.125 } else { r };
+    let r = if r < -0.125 { -0.125 } else { r };
+    // Adding −0 is adding nothing.
+    in_quadrant(r * core::f32::consts::TAU, [-0.0; 2], shifted.to_bits())
 }
 
 #[inline(always)]

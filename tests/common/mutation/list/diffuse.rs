@@ -1,7 +1,9 @@
 //! Bugs of the diffuse models, their sampler and the sum of models.
 
 use super::super::mutant::{LEFT, MINUS, Mutant, ONE, PLUS, RIGHT};
-use crate::common::faulty::Operation::{Add, Div, Literal, Max, Mul, Sqrt, Squared, Sub};
+use crate::common::faulty::Operation::{
+    Add, Div, Literal, Max, Mul, SinCosTurns, Sqrt, Squared, Sub,
+};
 
 const LAMBERT: &str = "src/diffuse/lambert.rs";
 const OREN_NAYAR: &str = "src/diffuse/oren_nayar.rs";
@@ -19,7 +21,7 @@ pub(super) static MUTANTS: [Mutant; 18] = [
     Mutant::new("Lambert", "samples crowd at the normal: the radius without its root", SAMPLING,
         "let radius = radius_squared.▸sqrt();", Sqrt, LEFT),
     Mutant::new("Lambert", "samples in one half of the azimuths: π for 2π", SAMPLING,
-        "(turn * ▸T::lit(core::f64::consts::TAU)).sin_cos()", Literal, |_, _, _| std::f64::consts::PI),
+        "turn.▸sin_cos_turns()", SinCosTurns, |turns, _, _| 0.5 * turns),
     Mutant::new("Oren–Nayar", "f without 1/π", OREN_NAYAR,
         "let value = ▸T::lit(FRAC_1_PI) * self.relative(wi, wo);", Literal, ONE),
     Mutant::new("Oren–Nayar", "σ for σ²", OREN_NAYAR,

@@ -1,9 +1,9 @@
 //! Bugs of the lobes of Phong, Blinn and Schlick, and of directions.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 use super::super::mutant::{LEFT, MINUS, Mutant, NEGATIVE, ONE, PLUS, TURNED};
-use crate::common::faulty::Operation::{Add, Atan2, Div, Literal, Mul, Sub};
+use crate::common::faulty::Operation::{Add, Atan2, Div, Literal, Mul, SinCosTurns, Sub};
 
 const PHONG: &str = "src/glossy/phong.rs";
 const CLASSIC: &str = "src/glossy/classic_phong.rs";
@@ -24,7 +24,7 @@ pub(super) static MUTANTS: [Mutant; 22] = [
     Mutant::new("Phong", "samples of the power n + 1", MIRROR,
         "-((-u).ln_1p() / (exponent + ▸T::lit(1.0))).exp_m1()", Literal, |_, _, _| 2.0),
     Mutant::new("Phong", "samples in one half of the azimuths: π for 2π", MIRROR,
-        "(turn * ▸T::lit(TAU)).sin_cos();", Literal, |_, _, _| PI),
+        "turn.▸sin_cos_turns();", SinCosTurns, |turns, _, _| 0.5 * turns),
     Mutant::new("Phong", "mirror direction on the wrong side", MIRROR,
         "▸wi.z() - wo.z());", Sub, PLUS),
     Mutant::new("classic Phong", "an intensity taken for a BRDF: not divided by the cosine", CLASSIC,
@@ -49,7 +49,7 @@ pub(super) static MUTANTS: [Mutant; 22] = [
     Mutant::new("directions", "half vector not normalised", DIRECTION,
         "let h = ▸sum * (T::lit(1.0) / length);", Mul, LEFT),
     Mutant::new("directions", "V·H twice as large", DIRECTION,
-        "let cos_d = ▸T::select(usable, length, sum.z()) * T::lit(0.5);", Mul, LEFT),
+        "let cos_d = ▸length * T::lit(0.5);", Mul, LEFT),
     Mutant::new("directions", "sign of R = 2N(N·L) − L", DIRECTION,
         "    ▸normal * (Vector::dot(w, normal) * T::lit(2.0)) - w\n", Sub, PLUS),
     Mutant::new("directions", "sign of the root in the refracted direction", DIRECTION,

@@ -4,7 +4,8 @@ use std::f64::consts::{LN_2, PI, SQRT_2};
 
 use super::super::mutant::{LEFT, MINUS, Mutant, ONE, PLUS, RIGHT};
 use crate::common::faulty::Operation::{
-    Add, AngleSquared, Div, Literal, Max, Min, Mul, Neg, Normalize, Sqrt, Squared, Sub, X,
+    Add, AngleSquared, Div, Literal, Max, Min, Mul, Neg, Normalize, SinCosTurns, Sqrt, Squared,
+    Sub, X,
 };
 
 const BECKMANN: &str = "src/microfacet/beckmann.rs";
@@ -23,7 +24,7 @@ const SMITH: &str = "src/microfacet/smith.rs";
 const V_CAVITY: &str = "src/microfacet/v_cavity.rs";
 
 #[rustfmt::skip]
-pub(super) static MUTANTS: [Mutant; 37] = [
+pub(super) static MUTANTS: [Mutant; 39] = [
     Mutant::new("Beckmann", "α for α² in the peak", ROUGHNESS,
         "peak: one / ▸(T::lit(PI) * along[0] * along[1])", Mul, LEFT),
     Mutant::new("Beckmann", "D without 1/π", ROUGHNESS,
@@ -36,6 +37,10 @@ pub(super) static MUTANTS: [Mutant; 37] = [
         "(▸T::lit(0.5) * spread * ierfc(cos / spread))", Literal, ONE),
     Mutant::new("Beckmann", "Λ without e^(−ν²)", IERFC,
         "    ▸(-x.squared()).exp() * polynomial /", Mul, RIGHT),
+    Mutant::new("Beckmann", "half of what faces away in the projected area", BECKMANN,
+        "        ▸cos + spread_squared * inverse", Add, |cos, away, _| cos + 0.5 * away),
+    Mutant::new("Beckmann", "sign in the equation of the visible slope", SLOPES,
+        "let difference = ▸missing + (", Add, MINUS),
     Mutant::new("Beckmann", "tan²α drawn for tanα", SLOPES,
         "let tan = tan_squared.min(T::lit(40.0)).▸sqrt();", Sqrt, LEFT),
     Mutant::new("Beckmann", "visible slopes turned the wrong way", SLOPES,
@@ -49,7 +54,7 @@ pub(super) static MUTANTS: [Mutant; 37] = [
     Mutant::new("GGX", "visible normals: the cap without its root", GGX,
         "let sin = (below_top * (above_rim + one_minus_s_z)).▸sqrt();", Sqrt, LEFT),
     Mutant::new("GGX", "visible normals in one half of the azimuths: π for 2π", GGX,
-        "let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();\n        let (sin_phi, cos_phi) = (turn * ▸T::lit(TAU)).sin_cos();", Literal, |_, _, _| PI),
+        "let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();\n        let (sin_phi, cos_phi) = turn.▸sin_cos_turns();", SinCosTurns, |turns, _, _| 0.5 * turns),
     Mutant::new("GGX", "stretched viewer not normalised", ROUGHNESS,
         "        ▸Vector::normalize_or_normal(stretched)", Normalize, LEFT),
     Mutant::new("Gaussian", "the constant 1/(π m²), right for small m only: sin 2α/(2α) taken for 1", TILTS,
