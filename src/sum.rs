@@ -1,8 +1,9 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::block::planes::{BLOCK, Components, Plane, Values};
-use crate::block::run::{self, Samples};
+use crate::block::planes::{BLOCK, Components, Plane};
+use crate::block::run;
+use crate::block::values::{Samples, Slots};
 use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
@@ -153,7 +154,7 @@ where
         wo: Directions<'_, T>,
         values: ColorBuffer<'_, T, C>,
     ) -> Result<(), BatchError> {
-        run::eval(wi, wo, values, &|_, _, wi, wo, values| self.eval_block(wi, wo, values))
+        run::eval(wi, wo, values, &mut |_, _, wi, wo, values| self.eval_block(wi, wo, values))
     }
 
     fn pdf_batch(
@@ -171,7 +172,7 @@ where
         u: Uniforms<'_, T>,
         samples: SampleBuffer<'_, T, C>,
     ) -> Result<(), BatchError> {
-        run::sample(wo, u, samples, &|_, _, wo, u, samples| self.sample_block(wo, u, samples))
+        run::sample(wo, u, samples, &mut |_, _, wo, u, samples| self.sample_block(wo, u, samples))
     }
 }
 
@@ -187,7 +188,7 @@ where
         &self,
         wi: Components<'_, T>,
         wo: Components<'_, T>,
-        values: &mut Values<T, C>,
+        mut values: Slots<'_, T, C>,
     ) -> Result<(), BatchError> {
         let zero = C::splat(T::lit(0.0));
         let (mut sum, mut colors) = ([zero; BLOCK], [zero; BLOCK]);
@@ -254,10 +255,10 @@ where
         }
         let mut pdf = [T::lit(0.0); BLOCK];
         self.pdf_block(samples.wi.components(), wo, &mut pdf)?;
-        self.eval_block(samples.wi.components(), wo, &mut samples.weight)?;
+        self.eval_block(samples.wi.components(), wo, samples.weight.slots())?;
         for (index, (kept, pdf)) in kept.iter().zip(pdf).enumerate() {
             let sample = kept.sample(pdf, samples.weight.at(index));
-            samples.weight.set(index, sample.weight);
+            samples.weight.slots().set(index, sample.weight);
             samples.pdf[index] = sample.pdf;
         }
         Ok(())

@@ -38,7 +38,7 @@ pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
     values: ColorBuffer<'_, T, M::Color>,
 ) -> Result<(), BatchError> {
     let length = run::check_eval(wi, wo, &values)?;
-    run::eval(wi, wo, values, &|set, start, wi, wo, values| {
+    run::eval(wi, wo, values, &mut |set, start, wi, wo, mut values| {
         let models = models(&model, start, length)?;
         within::<T, _>(
             set,
@@ -92,13 +92,13 @@ pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
     samples: SampleBuffer<'_, T, M::Color>,
 ) -> Result<(), BatchError> {
     let length = run::check_sample(wo, u, &samples)?;
-    run::sample(wo, u, samples, &|set, start, wo, u, samples| {
+    run::sample(wo, u, samples, &mut |set, start, wo, u, samples| {
         let models = models(&model, start, length)?;
         within::<T, _>(
             set,
             #[inline(always)]
             || {
-                samples.answers().fill(
+                samples.fill(
                     #[inline(always)]
                     |index| {
                         let u = [u[0][index], u[1][index]];

@@ -18,7 +18,7 @@ pub(crate) mod calls {
         values: ColorBuffer<'_, T, C>,
         formula: impl Fn(T::Vec3, T::Vec3) -> C,
     ) -> Result<(), BatchError> {
-        run::eval(wi, wo, values, &|_, _, wi, wo, values| {
+        run::eval(wi, wo, values, &mut |_, _, wi, wo, mut values| {
             for index in 0..BLOCK {
                 values.set(index, formula(wi.at(index), wo.at(index)));
             }
@@ -46,11 +46,11 @@ pub(crate) mod calls {
         samples: SampleBuffer<'_, T, C>,
         formula: impl Fn(T::Vec3, [T; 2]) -> (T::Vec3, C, T),
     ) -> Result<(), BatchError> {
-        run::sample(wo, u, samples, &|_, _, wo, u, samples| {
+        run::sample(wo, u, samples, &mut |_, _, wo, u, samples| {
             for (index, (&u0, &u1)) in u[0].iter().zip(u[1]).enumerate() {
                 let (wi, weight, pdf) = formula(wo.at(index), [u0, u1]);
                 samples.wi.set(index, wi);
-                samples.weight.set(index, weight);
+                samples.weight.slots().set(index, weight);
                 samples.pdf[index] = pdf;
             }
             Ok(())
@@ -67,7 +67,7 @@ pub(crate) fn eval<T: Real, C: Color<T>>(
     if !T::VECTORIZES {
         return calls::eval(wi, wo, values, formula);
     }
-    run::eval(wi, wo, values, &|set, _, wi, wo, values| {
+    run::eval(wi, wo, values, &mut |set, _, wi, wo, mut values| {
         within::<T, _>(
             set,
             #[inline(always)]
@@ -115,12 +115,12 @@ pub(crate) fn sample<T: Real, C: Color<T>>(
     if !T::VECTORIZES {
         return calls::sample(wo, u, samples, formula);
     }
-    run::sample(wo, u, samples, &|set, _, wo, u, samples| {
+    run::sample(wo, u, samples, &mut |set, _, wo, u, samples| {
         within::<T, _>(
             set,
             #[inline(always)]
             || {
-                samples.answers().fill(
+                samples.fill(
                     #[inline(always)]
                     |index| formula(wo.at(index), [u[0][index], u[1][index]]),
                 );

@@ -9,6 +9,7 @@ mod output;
 pub(crate) mod parts;
 pub(crate) mod planes;
 pub(crate) mod run;
+pub(crate) mod values;
 
 pub use error::BatchError;
 pub use input::{Directions, Uniforms};

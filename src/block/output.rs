@@ -1,7 +1,8 @@
 //! What a batch writes.
 
 use super::error::{BatchError, Length};
-use super::planes::{BLOCK, Plane, Planes, Values, channels, copy_front};
+use super::planes::{BLOCK, Plane, Planes, copy_front};
+use super::values::{Slots, Values, channels};
 use crate::real::{Color, Real};
 
 /// Directions that a batch writes.
@@ -112,6 +113,21 @@ impl<T: Real, C: Color<T>> ColorBuffer<'_, T, C> {
                     .zip(planes)
                     .try_for_each(|(name, plane)| length.check(name, plane.len()))
             }
+        }
+    }
+
+    /// Slots in this memory for a block that begins at `start`, if it is whole and they fit.
+    #[inline(always)]
+    pub(crate) fn slots<'b>(
+        &'b mut self,
+        start: usize,
+        memory: &'b mut Values<T, C>,
+    ) -> Option<Slots<'b, T, C>> {
+        match self {
+            Self::Colors(colors) => {
+                whole_mut(colors, start).and_then(|colors| memory.slots_in(colors))
+            }
+            Self::Planes(_) => None,
         }
     }
 
@@ -274,6 +290,12 @@ impl<'a, T, C, P: AsMut<[T]> + ?Sized> From<[&'a mut P; 3]> for ColorBuffer<'a, 
 #[inline(always)]
 pub(crate) fn write_plane<T: Real>(to: &mut [T], start: usize, block: &Plane<T>) {
     copy_front(block, part(to, start));
+}
+
+/// The block of a buffer that begins at `start`, if it is whole.
+#[inline(always)]
+pub(super) fn whole_mut<V>(buffer: &mut [V], start: usize) -> Option<&mut [V; BLOCK]> {
+    buffer.get_mut(start..).and_then(<[V]>::first_chunk_mut)
 }
 
 /// The part of a buffer that a block beginning at `start` covers.

@@ -3,8 +3,9 @@
 use super::error::{BatchError, Length};
 use super::input::{Directions, fill, whole};
 use super::instruction_set::InstructionSet;
-use super::output::{ColorBuffer, write_plane};
-use super::planes::{Answers, BLOCK, Components, Plane, Planes, Values, within};
+use super::output::{ColorBuffer, whole_mut, write_plane};
+use super::planes::{Answers, BLOCK, Components, Plane, Planes, within};
+use super::values::{Slots, Values};
 use crate::real::{Color, Real};
 
 pub(crate) fn reflectance<T: Real, C: Color<T>>(
@@ -12,7 +13,7 @@ pub(crate) fn reflectance<T: Real, C: Color<T>>(
     values: ColorBuffer<'_, T, C>,
     formula: impl Fn(T) -> C,
 ) -> Result<(), BatchError> {
-    over_numbers(cos_theta, values, &|set, cos_theta, values| {
+    over_numbers(cos_theta, values, &|set, cos_theta, mut values| {
         within::<T, _>(
             set,
             #[inline(always)]
@@ -46,7 +47,7 @@ pub(crate) fn density<T: Real>(
 }
 
 /// Reflectances of a block of cosines.
-type ReflectanceBlock<'a, T, C> = &'a dyn Fn(InstructionSet, &Plane<T>, &mut Values<T, C>);
+type ReflectanceBlock<'a, T, C> = &'a dyn Fn(InstructionSet, &Plane<T>, Slots<'_, T, C>);
 
 #[inline(never)]
 fn over_numbers<T: Real, C: Color<T>>(
@@ -71,8 +72,12 @@ fn over_numbers<T: Real, C: Color<T>>(
                         &memory
                     }
                 };
-                block(set, numbers, &mut result);
-                values.write(start, &result);
+                if let Some(slots) = values.slots(start, &mut result) {
+                    block(set, numbers, slots);
+                } else {
+                    block(set, numbers, result.slots());
+                    values.write(start, &result);
+                }
             }
         },
     );
@@ -98,8 +103,13 @@ fn over_directions<T: Real>(
             let mut memory = Planes::new();
             let mut result = [T::lit(0.0); BLOCK];
             for start in (0..length.get()).step_by(BLOCK) {
-                block(set, h.block(start, &mut memory), &mut result);
-                write_plane(densities, start, &result);
+                let h = h.block(start, &mut memory);
+                if let Some(densities) = whole_mut(densities, start) {
+                    block(set, h, densities);
+                } else {
+                    block(set, h, &mut result);
+                    write_plane(densities, start, &result);
+                }
             }
         },
     );

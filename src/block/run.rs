@@ -4,8 +4,9 @@
 use super::error::{BatchError, Length};
 use super::input::{Directions, Uniforms};
 use super::instruction_set::InstructionSet;
-use super::output::{ColorBuffer, SampleBuffer, write_plane};
-use super::planes::{BLOCK, Components, Plane, Planes, Values, within};
+use super::output::{ColorBuffer, SampleBuffer, whole_mut, write_plane};
+use super::planes::{BLOCK, Components, Plane, Planes, within};
+use super::values::{Samples, Slots, Values};
 use crate::real::{Color, Real};
 
 const WI: [&str; 4] = ["wi", "wi.x", "wi.y", "wi.z"];
@@ -49,12 +50,12 @@ pub(crate) fn check_sample<T: Real, C: Color<T>>(
 }
 
 /// Values of a block of pairs that begins at a place of the batch.
-pub(crate) type EvalBlock<'a, T, C> = &'a dyn Fn(
+pub(crate) type EvalBlock<'a, T, C> = &'a mut dyn FnMut(
     InstructionSet,
     usize,
     Components<'_, T>,
     Components<'_, T>,
-    &mut Values<T, C>,
+    Slots<'_, T, C>,
 ) -> Result<(), BatchError>;
 
 /// Runs `block` for every block of pairs and writes the values.
@@ -76,8 +77,12 @@ pub(crate) fn eval<T: Real, C: Color<T>>(
             for start in (0..length).step_by(BLOCK) {
                 let wi = wi.block(start, &mut wi_memory);
                 let wo = wo.block(start, &mut wo_memory);
-                block(set, start, wi, wo, &mut result)?;
-                values.write(start, &result);
+                if let Some(slots) = values.slots(start, &mut result) {
+                    block(set, start, wi, wo, slots)?;
+                } else {
+                    block(set, start, wi, wo, result.slots())?;
+                    values.write(start, &result);
+                }
             }
             Ok(())
         },
@@ -112,36 +117,20 @@ pub(crate) fn pdf<T: Real>(
             for start in (0..length).step_by(BLOCK) {
                 let wi = wi.block(start, &mut wi_memory);
                 let wo = wo.block(start, &mut wo_memory);
-                block(set, start, wi, wo, &mut result)?;
-                write_plane(pdf, start, &result);
+                if let Some(pdf) = whole_mut(pdf, start) {
+                    block(set, start, wi, wo, pdf)?;
+                } else {
+                    block(set, start, wi, wo, &mut result)?;
+                    write_plane(pdf, start, &result);
+                }
             }
             Ok(())
         },
     )
 }
 
-/// The samples of a block.
-#[derive(Debug)]
-pub(crate) struct Samples<T, C> {
-    pub(crate) wi: Planes<T, 3>,
-    pub(crate) weight: Values<T, C>,
-    pub(crate) pdf: Plane<T>,
-}
-
-impl<T: Real, C: Color<T>> Samples<T, C> {
-    #[inline(always)]
-    pub(crate) fn new() -> Self {
-        Self { wi: Planes::new(), weight: Values::new(), pdf: [T::lit(0.0); BLOCK] }
-    }
-
-    #[inline(always)]
-    pub(crate) fn answers(&mut self) -> (&mut Planes<T, 3>, &mut Values<T, C>, &mut Plane<T>) {
-        (&mut self.wi, &mut self.weight, &mut self.pdf)
-    }
-}
-
 /// Samples of a block of viewers that begins at a place of the batch.
-pub(crate) type SampleBlock<'a, T, C> = &'a dyn Fn(
+pub(crate) type SampleBlock<'a, T, C> = &'a mut dyn FnMut(
     InstructionSet,
     usize,
     Components<'_, T>,

@@ -1,9 +1,10 @@
 use super::distribution::Distribution;
-use super::facets::{Facets, Mirrored, MirroredBlock};
+use super::facets::{DrawBlock, Facets, Mirrored, MirroredBlock};
 use super::shadowing::Shadowing;
 use super::v_cavity::VCavity;
 use crate::block::formula::calls;
-use crate::block::planes::{Answers, Values, within};
+use crate::block::planes::{Answers, within};
+use crate::block::values::Slots;
 use crate::block::{
     BatchError, ColorBuffer, Directions, InstructionSet, SampleBuffer, Uniforms, run,
 };
@@ -153,8 +154,8 @@ where
         if !T::VECTORIZES {
             return calls::eval(wi, wo, values, |wi, wo| self.eval(wi, wo));
         }
-        run::eval(wi, wo, values, &|set, _, wi, wo, values| {
-            let mut mirrored = MirroredBlock::new();
+        let mut mirrored = MirroredBlock::new();
+        run::eval(wi, wo, values, &mut |set, _, wi, wo, values| {
             self.facets().mirrored_block(set, wi, wo, &mut mirrored);
             reflect_block(&self.fresnel, set, &mirrored, values);
             Ok(())
@@ -182,11 +183,11 @@ where
         if !T::VECTORIZES {
             return calls::sample(wo, u, samples, |wo, u| self.sample(wo, u).into_parts());
         }
-        run::sample(wo, u, samples, &|set, _, wo, u, samples| {
-            let mut weight = MirroredBlock::new();
+        let mut draws = DrawBlock::new();
+        run::sample(wo, u, samples, &mut |set, _, wo, u, samples| {
             let drawn = (&mut samples.wi, &mut samples.pdf);
-            self.facets().draw_block(set, wo, u, drawn, &mut weight);
-            reflect_block(&self.fresnel, set, &weight, &mut samples.weight);
+            self.facets().draw_block(set, wo, u, drawn, &mut draws);
+            reflect_block(&self.fresnel, set, &draws.weight, samples.weight.slots());
             Ok(())
         })
     }
@@ -209,7 +210,7 @@ fn reflect_block<T: Real, F: Fresnel<T>>(
     fresnel: &F,
     set: InstructionSet,
     mirrored: &MirroredBlock<T>,
-    values: &mut Values<T, F::Color>,
+    mut values: Slots<'_, T, F::Color>,
 ) {
     within::<T, _>(
         set,

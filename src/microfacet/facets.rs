@@ -8,7 +8,7 @@ use super::shadowing::Shadowing;
 use crate::block::planes::{Answers, BLOCK, Components, Plane, Planes, within};
 use crate::block::{BatchError, Directions, InstructionSet, run};
 use crate::direction::{Pair, above_or_normal, above_surface, reflect};
-use crate::real::{Mask, Real, in_place};
+use crate::real::{Mask, Real, Vector, in_place};
 
 /// The facets of a surface.
 #[derive(Clone, Copy)]
@@ -55,21 +55,47 @@ impl<T: Real> MirroredBlock<T> {
 
 impl<T: Real> Answers for MirroredBlock<T> {
     type Answer = Mirrored<T>;
-    type Strip = [<Plane<T> as Answers>::Strip; 2];
 
     #[inline(always)]
-    fn strip() -> Self::Strip {
-        [Plane::strip(), Plane::strip()]
+    fn fill(&mut self, formula: impl Fn(usize) -> Mirrored<T>) {
+        for index in 0..BLOCK {
+            let mirrored = formula(index);
+            self.cos[index] = mirrored.cos;
+            self.scale[index] = mirrored.scale;
+        }
     }
-    #[inline(always)]
-    fn put([cos, scale]: &mut Self::Strip, lane: usize, answer: Mirrored<T>) {
-        Plane::put(cos, lane, answer.cos);
-        Plane::put(scale, lane, answer.scale);
+}
+
+/// Fills in draws: see [`Answers::fill`].
+#[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
+fn fill_draws<T: Real>(
+    wi: &mut Planes<T, 3>,
+    pdf: &mut Plane<T>,
+    weight: &mut MirroredBlock<T>,
+    formula: impl Fn(usize) -> Draw<T>,
+) {
+    for index in 0..BLOCK {
+        let draw = formula(index);
+        wi.0[0][index] = draw.wi.x();
+        wi.0[1][index] = draw.wi.y();
+        wi.0[2][index] = draw.wi.z();
+        pdf[index] = draw.pdf;
+        weight.cos[index] = draw.weight.cos;
+        weight.scale[index] = draw.weight.scale;
     }
+}
+
+/// What a block of draws remembers from stage to stage.
+pub(super) struct DrawBlock<T> {
+    normals: Planes<T, 3>,
+    pub(super) weight: MirroredBlock<T>,
+}
+
+impl<T: Real> DrawBlock<T> {
     #[inline(always)]
-    fn store(&mut self, start: usize, [cos, scale]: &Self::Strip) {
-        self.cos.store(start, cos);
-        self.scale.store(start, scale);
+    pub(super) fn new() -> Self {
+        Self { normals: Planes::new(), weight: MirroredBlock::new() }
     }
 }
 
@@ -127,7 +153,7 @@ impl<D, S> Facets<'_, D, S> {
         D: Distribution<T>,
         S: Shadowing<T, D>,
     {
-        self.shadowing.sample_visible(self.distribution, above_or_normal::<T, _>(wo), u)
+        self.shadowing.sample_visible(self.distribution, wo, u)
     }
 
     /// What a facet of the drawn normal `h` mirrors to the viewer.
@@ -141,13 +167,12 @@ impl<D, S> Facets<'_, D, S> {
         let wo = above_or_normal::<T, _>(wo);
         let wi = reflect(wo, h);
         // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
-        let pair = Pair::new(wi, wo);
-        let drawn = above.and(pair.above);
+        let pair = Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above));
         let unshadowed = self.shadowing.unshadowed(self.distribution, &pair);
         Draw {
             wi,
-            pdf: T::select(drawn, self.density(&pair), zero),
-            weight: Mirrored { cos: cos_d(&pair), scale: T::select(drawn, unshadowed, zero) },
+            pdf: T::select(pair.above, self.density(&pair), zero),
+            weight: Mirrored { cos: cos_d(&pair), scale: T::select(pair.above, unshadowed, zero) },
         }
     }
 
@@ -218,7 +243,7 @@ impl<D, S> Facets<'_, D, S> {
         wo: Components<'_, T>,
         u: [&Plane<T>; 2],
         (wi, pdf): (&mut Planes<T, 3>, &mut Plane<T>),
-        weight: &mut MirroredBlock<T>,
+        DrawBlock { normals, weight }: &mut DrawBlock<T>,
     ) where
         D: Distribution<T>,
         S: Shadowing<T, D>,
@@ -229,18 +254,17 @@ impl<D, S> Facets<'_, D, S> {
             || {
                 // In two loops: a processor works ahead by a number of instructions, and the
                 // shorter the way through a loop, the more of its turns overlap.
-                let mut normals = Planes::<T, 3>::new();
                 normals.fill(
                     #[inline(always)]
                     |index| self.visible(wo.at(index), [u[0][index], u[1][index]]),
                 );
                 let normals = normals.components();
-                (wi, pdf, weight).fill(
+                fill_draws(
+                    wi,
+                    pdf,
+                    weight,
                     #[inline(always)]
-                    |index| {
-                        let draw = self.mirror(wo.at(index), normals.at(index));
-                        (draw.wi, draw.pdf, draw.weight)
-                    },
+                    |index| self.mirror(wo.at(index), normals.at(index)),
                 );
             },
         );
