@@ -116,8 +116,7 @@ impl<T: Real> Smith<T> for Ggx<T> {
     #[inline(always)]
     fn projected_area(&self, w: T::Vec3) -> T {
         // That of the ellipsoid, without the quotient of Λ.
-        let cos = w.z().max(T::lit(0.0));
-        (cos.squared() + self.roughness.spread_squared(w)).min(T::max_finite()).sqrt()
+        (w.z().squared() + self.roughness.spread_squared(w)).min(T::max_finite()).sqrt()
     }
 
     #[inline(always)]
