@@ -29,26 +29,6 @@ const MANY: usize = 1 << 20;
 
 const SAME_LENGTH: &str = "the lengths agree";
 
-/// Nanoseconds per element: the median of five runs of at least 50 ms.
-fn time(count: usize, mut work: impl FnMut()) -> f64 {
-    work();
-    let mut rounds = 1_u32;
-    let mut run = || loop {
-        let start = Instant::now();
-        for _ in 0..rounds {
-            work();
-        }
-        let elapsed = start.elapsed();
-        if elapsed >= Duration::from_millis(50) {
-            break elapsed.as_secs_f64() * 1e9 / f64::from(rounds) / count as f64;
-        }
-        rounds *= 2;
-    };
-    let mut runs = [(); 5].map(|()| run());
-    runs.sort_by(f64::total_cmp);
-    runs[2]
-}
-
 /// Something done with every pair.
 type Work<'a, P> = &'a dyn Fn(&mut P);
 
@@ -68,24 +48,59 @@ struct Inputs<P> {
 
 impl<P> Inputs<P> {
     fn row(&mut self, what: &str, row: &Row<'_, P>) {
-        let mut few = |work: Work<'_, P>| time(COUNT, || work(black_box(&mut self.few)));
-        let by_hand = row.by_hand.map(&mut few);
-        let (calls, batch) = (few(row.calls), few(row.batch));
-        let mut many = |work: Work<'_, P>| time(MANY, || work(black_box(&mut self.many)));
-        let one = many(row.batch);
-        let cores = row.cores.map(&mut many);
+        let works = [row.by_hand, Some(row.calls), Some(row.batch)];
+        let [by_hand, calls, batch] = times(COUNT, &mut self.few, works);
+        let [one, cores] = times(MANY, &mut self.many, [Some(row.batch), row.cores]);
         let cell = |time: Option<f64>| time.map_or("–".to_string(), |time| format!("{time:.2}"));
-        let ratio = |of: Option<f64>, to: f64, digits: usize| {
-            of.map_or("–".to_string(), |of| format!("{:.digits$} ×", of / to))
+        let ratio = |of: Option<f64>, to: Option<f64>, digits: usize| {
+            of.zip(to).map_or("–".to_string(), |(of, to)| format!("{:.digits$} ×", of / to))
         };
         println!(
-            "| {what} | {} | {calls:.2} | {batch:.2} | {} | {one:.2} | {} | {} |",
+            "| {what} | {} | {} | {} | {} | {} | {} | {} |",
             cell(by_hand),
+            cell(calls),
+            cell(batch),
             ratio(by_hand, batch, 1),
+            cell(one),
             cell(cores),
-            cores.map_or("–".to_string(), |cores| ratio(Some(one), cores, 2)),
+            ratio(one, cores, 2),
         );
     }
+}
+
+/// Nanoseconds per element of each work: the median of many short turns, one after the other, so that
+/// what neighbours take from the machine they take from all works alike.
+fn times<P, const N: usize>(
+    count: usize,
+    input: &mut P,
+    works: [Option<Work<'_, P>>; N],
+) -> [Option<f64>; N] {
+    const TURN: Duration = Duration::from_millis(3);
+    const TURNS: usize = 41;
+    let mut turn = |work: Work<'_, P>, calls: u32| {
+        let start = Instant::now();
+        for _ in 0..calls {
+            work(black_box(&mut *input));
+        }
+        start.elapsed()
+    };
+    let calls = works.map(|work| {
+        let mut calls = 1;
+        while work.is_some_and(|work| turn(work, calls) < TURN) {
+            calls *= 2;
+        }
+        calls
+    });
+    let mut turns = [const { Vec::new() }; N];
+    for _ in 0..TURNS {
+        for ((turns, work), calls) in turns.iter_mut().zip(works).zip(calls) {
+            turns.extend(work.map(|work| turn(work, calls) / calls));
+        }
+    }
+    turns.map(|mut turns| {
+        turns.sort();
+        turns.get(TURNS / 2).map(|median| median.as_secs_f64() * 1e9 / count as f64)
+    })
 }
 
 impl Inputs<Planes> {
@@ -279,12 +294,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// The yardstick of the machine: a chain of dependent multiplications and additions.
 fn clock() {
-    let step = time(COUNT, || {
+    let chain = |_: &mut ()| {
         let mut x = black_box(1.0_f32);
         for _ in 0..COUNT {
             x = x * 0.999 + 1e-3;
         }
         black_box(x);
-    });
+    };
+    let [step] = times(COUNT, &mut (), [Some(&chain)]);
+    let step = step.unwrap_or_default();
     println!("\nA dependent multiplication and addition take {step:.2} ns.");
 }
