@@ -49,8 +49,8 @@ struct Inputs<P> {
 impl<P> Inputs<P> {
     fn row(&mut self, what: &str, row: &Row<'_, P>) {
         let works = [row.by_hand, Some(row.calls), Some(row.batch)];
-        let [by_hand, calls, batch] = times(COUNT, &mut self.few, works);
-        let [one, cores] = times(MANY, &mut self.many, [Some(row.batch), row.cores]);
+        let [by_hand, calls, batch] = times(SHORT, COUNT, &mut self.few, works);
+        let [one, cores] = times(LONG, MANY, &mut self.many, [Some(row.batch), row.cores]);
         let cell = |time: Option<f64>| time.map_or("–".to_string(), |time| format!("{time:.2}"));
         let ratio = |of: Option<f64>, to: Option<f64>, digits: usize| {
             of.zip(to).map_or("–".to_string(), |(of, to)| format!("{:.digits$} ×", of / to))
@@ -68,15 +68,20 @@ impl<P> Inputs<P> {
     }
 }
 
-/// Nanoseconds per element of each work: the median of many short turns, one after the other, so that
-/// what neighbours take from the machine they take from all works alike.
+/// How often works take turns, and how long a turn lasts at least.
+type Turns = (usize, Duration);
+const SHORT: Turns = (41, Duration::from_millis(3));
+/// Threads sleep while they have nothing to do, and need a moment to wake up.
+const LONG: Turns = (9, Duration::from_millis(50));
+
+/// Nanoseconds per element of each work: the median of turns, one after the other, so that what
+/// neighbours take from the machine they take from all works alike.
 fn times<P, const N: usize>(
+    (count_of_turns, length): Turns,
     count: usize,
     input: &mut P,
     works: [Option<Work<'_, P>>; N],
 ) -> [Option<f64>; N] {
-    const TURN: Duration = Duration::from_millis(3);
-    const TURNS: usize = 41;
     let mut turn = |work: Work<'_, P>, calls: u32| {
         let start = Instant::now();
         for _ in 0..calls {
@@ -86,20 +91,20 @@ fn times<P, const N: usize>(
     };
     let calls = works.map(|work| {
         let mut calls = 1;
-        while work.is_some_and(|work| turn(work, calls) < TURN) {
+        while work.is_some_and(|work| turn(work, calls) < length) {
             calls *= 2;
         }
         calls
     });
     let mut turns = [const { Vec::new() }; N];
-    for _ in 0..TURNS {
+    for _ in 0..count_of_turns {
         for ((turns, work), calls) in turns.iter_mut().zip(works).zip(calls) {
             turns.extend(work.map(|work| turn(work, calls) / calls));
         }
     }
     turns.map(|mut turns| {
         turns.sort();
-        turns.get(TURNS / 2).map(|median| median.as_secs_f64() * 1e9 / count as f64)
+        turns.get(count_of_turns / 2).map(|median| median.as_secs_f64() * 1e9 / count as f64)
     })
 }
 
@@ -301,7 +306,7 @@ fn clock() {
         }
         black_box(x);
     };
-    let [step] = times(COUNT, &mut (), [Some(&chain)]);
+    let [step] = times(SHORT, COUNT, &mut (), [Some(&chain)]);
     let step = step.unwrap_or_default();
     println!("\nA dependent multiplication and addition take {step:.2} ns.");
 }
