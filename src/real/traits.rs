@@ -37,21 +37,21 @@ pub trait Mask: Copy + Debug {
 /// | function | `f32` | `f64` | remarks |
 /// |---|---|---|---|
 /// | `exp` | 1.0 | 1.0 | |
-/// | `exp_m1` | 1.1 | 1.25 | |
-/// | `ln` | 0.8 | 0.8 | −∞ at 0, NaN below |
+/// | `exp_m1` | 1.3 | 1.25 | |
+/// | `ln` | 0.85 | 0.8 | −∞ at 0, NaN below |
 /// | `ln_1p` | 1.4 | 1.4 | −∞ at −1, NaN below |
 /// | `powf` | 0.55 | 1.4 | NaN for a negative base |
 /// | `sin`, `cos` | 1.1 | 1.0 | for \|x\| ≤ 10⁴; beyond, in [−1, 1] but less and less precise |
-/// | `sin_cos_turns` | 1.9 | 1.7 | for \|x\| ≤ 10⁶; beyond, in [−1, 1] |
+/// | `sin_cos_turns` | 2.2 | 1.7 | for \|x\| ≤ 10⁶; beyond, in [−1, 1] |
 /// | `tan` | 0.55 | 1.3 | for \|x\| ≤ 10⁴ |
 /// | `asin` | 0.55 | 1.0 | |
 /// | `acos` | 1.2 | 1.25 | |
 /// | `angle_squared` | 1.0 | 1.0 | for 0 ≤ x ≤ 1 |
-/// | `atan2` | 1.5 | 1.4 | |
+/// | `atan2` | 1.6 | 1.4 | |
 /// | `erf` | 0.55 | 1.25 | |
 /// | `erfc` | 0.6 | 1.5 | in the tail too, down to underflow |
 /// | `erfcx` | | | to 3.5·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64` |
-/// | `ierfc` | | | x + ierfc x to 3.2·10⁻⁷ in `f32`, 3·10⁻¹⁶ in `f64` |
+/// | `ierfc` | | | x + ierfc x to 3.2·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64`, where ierfc x itself is good to 10⁻¹⁵ + 1.2·10⁻¹⁶ x² |
 /// | `erf_inv` | 3.5 | 2.0 | beyond ±1 the value at the largest number below 1 |
 /// | `sqrt`, `floor` | exact | exact | correctly rounded |
 /// | `rsqrt` | 1.5 | 1.5 | for normal x > 0 |

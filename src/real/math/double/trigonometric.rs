@@ -16,7 +16,8 @@ fn reduce(x: f64) -> (f64, f64, u64) {
     let (high, low) = (x - n * 1.5707963267341256, n * 6.077100506303966e-11);
     let r = high - low;
     let excess = n * 2.0222662487959506e-21 + (low - (high - r));
-    let excess = if r.abs() > LIMIT { 0.0 } else { excess };
+    // At most 2·10⁻¹⁵ where the angle has a meaning.
+    let excess = if excess.abs() < 1e-10 { excess } else { 0.0 };
     let r = if r > LIMIT { LIMIT } else { r };
     let r = if r < -LIMIT { -LIMIT } else { r };
     (r, excess, shifted.to_bits())

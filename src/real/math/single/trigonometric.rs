@@ -16,7 +16,8 @@ fn reduce(x: f32) -> (f32, f32, u32) {
     let (high, low) = ((x - n * 1.5703125) - n * 0.0004837513, n * 7.5495336e-8);
     let r = high - low;
     let excess = n * 2.563344e-12 + (low - (high - r));
-    let excess = if r.abs() > LIMIT { 0.0 } else { excess };
+    // At most 3·10⁻⁸ where the angle has a meaning.
+    let excess = if excess.abs() < 1e-6 { excess } else { 0.0 };
     let r = if r > LIMIT { LIMIT } else { r };
     let r = if r < -LIMIT { -LIMIT } else { r };
     (r, excess, shifted.to_bits())
