@@ -132,7 +132,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
         // the rounded direction, as in `eval` and `pdf`: at grazing the V·H of the drawn half
         // vector is a small difference.
         let halfway = Halfway::new(wi, wo);
-        let quotient = halfway.whole() * wi.z() / T::select(drawn, halfway.height, one);
+        let quotient = halfway.whole() * (wi.z() / T::select(drawn, halfway.height, one));
         let scale = self.constant * T::lit(2.0 * TAU) / (self.exponent + two);
         let pdf = self.pdf_of(drawn, &halfway);
         Sample { wi, weight: self.specular * (scale * quotient), pdf }

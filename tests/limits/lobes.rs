@@ -499,6 +499,21 @@ macro_rules! extremes {
 extremes!(extremes_are_sound_in_f32, f32, Vec3);
 extremes!(extremes_are_sound_in_f64, f64, DVec3);
 
+/// The product of two cosines may be below the least number of single precision.
+#[test]
+fn blinn_phong_samples_at_the_horizon() {
+    let model = BlinnPhong::unnormalized(1.0_f32, 20.0).unwrap();
+    for exponent in 0..200 {
+        let wo = Vec3::new(1.0, 0.0, 10.0_f32.powf(-0.1 * exponent as f32));
+        for u in [[0.0, 0.0], [0.5, 0.25], [0.9, 0.5]] {
+            let sample = model.sample(wo, u);
+            let want = f64::from(model.eval(sample.wi, wo)) * f64::from(sample.wi.z);
+            let got = f64::from(sample.weight) * f64::from(sample.pdf);
+            assert!((got - want).abs() <= 2e-6 * want, "{wo} {u:?}: {got:e}, not {want:e}");
+        }
+    }
+}
+
 /// The integrals behind the albedos keep the digits of single precision.
 #[test]
 fn albedo_in_single_precision() {
