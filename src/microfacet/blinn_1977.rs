@@ -1,7 +1,7 @@
 use core::f64::consts::{LN_2, SQRT_2};
 
 use crate::error::ParameterError;
-use crate::real::Real;
+use crate::real::{Mask, Real};
 
 /// The three distributions that Blinn compared in 1977, as printed: not normalised, with maximum
 /// 1, and scaled so that all of them fall to ½ at the same angle β.
@@ -19,7 +19,7 @@ use crate::real::Real;
 ///
 /// For reflection use the normalised forms: [`Blinn`](crate::Blinn) with exponent c₁,
 /// [`Gaussian`](crate::Gaussian) with roughness 1/c₂, [`Ggx`](crate::Ggx) with roughness c₃, which
-/// is D₃/(π c₃²). Beyond π/2 all three are zero.
+/// is D₃/(π c₃²). Beyond ±π/2 all three are zero.
 ///
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
 /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
@@ -79,7 +79,7 @@ impl<T: Real> Blinn1977<T> {
     #[must_use]
     pub fn d1(&self, alpha: T) -> T {
         let (sin, cos) = alpha.sin_cos();
-        let above = cos.gt(T::lit(0.0));
+        let above = above(alpha, cos);
         let tan_squared = (sin / T::select(above, cos, T::lit(1.0))).squared();
         let power = (T::lit(-0.5) * self.c1 * tan_squared.ln_1p()).exp();
         T::select(above, power, T::lit(0.0))
@@ -89,7 +89,7 @@ impl<T: Real> Blinn1977<T> {
     #[inline(always)]
     #[must_use]
     pub fn d2(&self, alpha: T) -> T {
-        let above = alpha.cos().gt(T::lit(0.0));
+        let above = above(alpha, alpha.cos());
         let exponent = (self.c2 * alpha).squared().min(T::lit(1e4));
         T::select(above, (-exponent).exp(), T::lit(0.0))
     }
@@ -101,6 +101,12 @@ impl<T: Real> Blinn1977<T> {
         let (sin, cos) = alpha.sin_cos();
         // cos²α (c₃² − 1) + 1 without the difference.
         let sum = sin.squared() + self.c3_squared * cos.squared();
-        T::select(cos.gt(T::lit(0.0)), (self.c3_squared / sum).squared(), T::lit(0.0))
+        T::select(above(alpha, cos), (self.c3_squared / sum).squared(), T::lit(0.0))
     }
+}
+
+/// Where an angle is below π/2, exactly, and not a turn beyond.
+#[inline(always)]
+fn above<T: Real>(alpha: T, cos: T) -> T::Mask {
+    cos.gt(T::lit(0.0)).and(alpha.abs().lt(T::lit(2.0)))
 }

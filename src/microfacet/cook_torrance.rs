@@ -28,7 +28,7 @@ use crate::real::{Color, Lift, Real, in_place, lift};
 /// is missing is light that a real surface reflects more than once. Measured with F = 1 at 0°,
 /// 60°, 80°, 89.9°: V-cavity with Beckmann's distribution 1.000, 0.999, 0.942, 0.998 at roughness
 /// 0.1 and 0.605, 0.839, 0.949, 0.9995 at 0.8; Smith's with GGX 0.307, 0.451, 0.668, 0.989 at
-/// roughness 1. The default [`albedo`](Brdf::albedo) is within 5·10⁻⁴ of these integrals
+/// roughness 1. The default [`albedo`](Brdf::albedo) is within 6·10⁻⁴ of these integrals
 /// (roughness 0.05 … 1, F = 1, all three shadowings).
 ///
 /// Sampled by visible normals: the density of a sample is G₁(V) D/(4 N·V) and its weight
