@@ -25,8 +25,9 @@ pub struct Pair<T: Real> {
     pub cos_i: T,
     /// N·V, the cosine of the angle of the viewer.
     pub cos_o: T,
-    /// wi + wo, which points along the half vector; the normal where the sum is too short to point
-    /// anywhere.
+    /// wi + wo, which points along the half vector, with a z of at least 2⁻⁶⁰. So it is the normal
+    /// where the sum is too short to point anywhere, and two directions that graze by less than
+    /// 4·10⁻¹⁹ radians have a half vector as if they grazed by that much.
     pub sum: T::Vec3,
     /// The half vector (wi + wo)/|wi + wo|.
     pub h: T::Vec3,
@@ -50,8 +51,8 @@ impl<T: Real> Pair<T> {
     #[inline(always)]
     pub(crate) fn where_above(wi: T::Vec3, wo: T::Vec3, above: T::Mask) -> Self {
         let (cos_i, cos_o) = (wi.z(), wo.z());
-        // One square root serves h and V·H, since |wi + wo| = 2 V·H for unit directions. Above the
-        // surface the floor, 2⁻⁶⁰, matters only where the sum is too short to point anywhere else.
+        // One square root serves h and V·H, since |wi + wo| = 2 V·H for unit directions. The floor,
+        // 2⁻⁶⁰, has a square that is precise in single precision.
         let sum = wi + wo;
         let sum: T::Vec3 = Vector::new(sum.x(), sum.y(), sum.z().max(T::lit(FLOOR)));
         let length = Vector::length_squared(sum).sqrt();
@@ -195,8 +196,8 @@ pub fn from_spherical<T: Real>(theta: T, phi: T) -> T::Vec3 {
     Vector::new(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta)
 }
 
-/// Polar angle in [0, π] and azimuth in [−π, π] of a unit direction, in radians; exact also close
-/// to the normal. Azimuth 0 at the normal itself, −π where y is −0 and x negative.
+/// Polar angle in [0, π] and azimuth in [−π, π] of a unit direction, in radians; precise also close
+/// to the normal, down to 10⁻¹⁸ radians in `f32` and 10⁻¹⁵⁰ in `f64`. Azimuth 0 at the normal itself, −π where y is −0 and x negative.
 #[inline(always)]
 #[must_use]
 pub fn to_spherical<T: Real, V: Vector<T>>(w: V) -> (T, T) {

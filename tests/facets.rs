@@ -3,7 +3,9 @@
 
 mod common;
 
-use brdf::{Beckmann, Blinn, Distribution, Gaussian, SmithCorrelated, SmithSeparable, VCavity};
+use brdf::{
+    Beckmann, Blinn, Distribution, Gaussian, Ggx, SmithCorrelated, SmithSeparable, VCavity,
+};
 use common::directions::pairs;
 use common::distributions::{with_smith, without_smith};
 use common::measure::furnace::weak_furnace;
@@ -94,6 +96,27 @@ fn nothing_is_left_far_off_the_normal() {
         for cos in [1e-9_f32, 1.1e-8, 1e-7, 1e-5, 1e-3] {
             let h = Vec3::new((1.0 - cos * cos).sqrt(), 0.0, cos);
             assert_eq!(smooth.density(h), 0.0, "{roughness:e} {cos:e}");
+        }
+    }
+}
+
+/// In single precision the squares of the lengths may be 10⁻²⁸ … 10²² for any roughness.
+#[test]
+fn densities_along_vectors_of_any_length_in_single_precision() {
+    let ends = [1e-8_f32, 1e-5, 1e-2, 0.5, 10.0, 1e4];
+    for (along_x, along_y) in ends.into_iter().flat_map(|x| ends.map(|y| (x, y))) {
+        let ggx = Ggx::anisotropic(along_x, along_y).unwrap();
+        for (h, _) in pairs(1000) {
+            let h = h.as_vec3();
+            let density = ggx.density(h);
+            for length in [1e-14_f32, 1e-7, 2.0, 1e6, 1e11] {
+                let error = (ggx.density_along(h * length) - density).abs();
+                // Below, there are fewer digits.
+                assert!(
+                    error <= 2e-6 * density.max(1e-30),
+                    "{along_x:e}, {along_y:e}: {h} {length:e}"
+                );
+            }
         }
     }
 }

@@ -37,8 +37,8 @@ use crate::real::{Color, Real, lift};
 /// 0; there see [`Dielectric`](super::Dielectric).
 ///
 /// The average is a quadrature with a relative error below 10⁻¹⁴ for metals (0.04 ≤ n ≤ 10,
-/// 1 ≤ k ≤ 10), 3·10⁻⁷ in the whole range except next to n + ik = 1, where it grows to 4·10⁻⁵ at
-/// |N − 1| = 10⁻⁶.
+/// 1 ≤ k ≤ 10), 4·10⁻⁷ in the whole range except next to n + ik = 1, where all that is reflected
+/// grazes: it grows to 10⁻⁵ at |N − 1| = 10⁻⁵, 3·10⁻⁴ at 10⁻⁶ and 0.1 at 10⁻⁹.
 ///
 /// A. Fresnel 1823, with A. L. Cauchy's complex index. M. Born, E. Wolf, *Principles of Optics*,
 /// section 14.2.

@@ -30,7 +30,7 @@ use crate::real::{Color, Real, lift};
 /// that the answer keeps its digits for n near 1 and near the normal: in `f32` R stays within
 /// 2·10⁻⁶ relative of the exact value, except where |q²| < η²/10, close to the critical angle.
 /// There the slope of R is infinite, and q² is off by about ε min(η², |η² − 1|), which makes R off
-/// by that over q times 4/c + 2c/s²: a few 10⁻⁶ next to the critical angle, 10⁻³ at it.
+/// by that over q times 4/c + 2c/s²: a few 10⁻⁶ next to the critical angle, a few 10⁻³ at it.
 ///
 /// The average is exact up to rounding; see [`average`](Fresnel::average).
 ///

@@ -16,7 +16,7 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
 
     /// D of the unit vector along `m`, whatever the length of `m`: for distributions that do not
     /// need it, models are spared its normalisation. Where the square of the length does not lie in
-    /// 10⁻²⁸ … 10²⁸, finite and never negative but of no meaning.
+    /// 10⁻²⁸ … 10²², finite and never negative but of no meaning.
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
         self.density(m.normalize_or_normal())

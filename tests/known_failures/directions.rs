@@ -102,6 +102,8 @@ fn azimuths<T: Number>() {
     let (theta, phi) = to_spherical(vector::<T>(0.0, 0.0, -1.0));
     assert_near(theta, std::f64::consts::PI, T::EPSILON);
     assert_near(phi, 0.0, 0.0);
+    let (theta, _) = to_spherical(vector::<T>(0.0, 1e-18, 1.0));
+    assert_near(theta, 1e-18, 2.0 * T::EPSILON);
     let (theta, phi) = to_spherical(vector::<T>(1e-15, -1e-15, 1.0));
     assert_near(theta, 2.0_f64.sqrt() * 1e-15, 4.0 * T::EPSILON);
     assert_near(phi, -std::f64::consts::FRAC_PI_4, 4.0 * T::EPSILON);

@@ -1,5 +1,7 @@
 //! Cosine-averaged reflectances against other ways to compute them.
 
+use std::f64::consts::PI;
+
 use brdf::quadrature::integrate;
 use brdf::{Conductor, Dielectric, Fresnel};
 
@@ -34,10 +36,16 @@ fn averages_of_conductors() {
             (Conductor::new(n, 0.0).unwrap().average(), Dielectric::new(n).unwrap().average());
         assert!((got - want).abs() <= 2e-8 * want, "{n}: {got} {want}");
     }
-    assert!(largest < 3e-7 && metals < 1e-14, "{largest:e} {metals:e}");
-    let want = reference_average(1.0, 1e-6);
-    let error = (Conductor::new(1.0, 1e-6).unwrap().average() - want).abs() / want;
-    assert!(error < 4e-5, "{error:e}");
+    assert!(largest < 4e-7 && metals < 1e-14, "{largest:e} {metals:e}");
+    for (distance, bound) in [(1e-5, 1e-5), (1e-6, 3e-4), (1e-9, 0.1)] {
+        for turn in 0..=16 {
+            let (k, real) = (PI / 16.0 * f64::from(turn)).sin_cos();
+            let (n, k) = (1.0 + real * distance, k.max(0.0) * distance);
+            let want = reference_average(n, k);
+            let error = (Conductor::new(n, k).unwrap().average() - want).abs() / want;
+            assert!(error < bound, "{n} {k:e}: {error:e}");
+        }
+    }
 }
 
 #[test]
