@@ -197,7 +197,8 @@ pub fn from_spherical<T: Real>(theta: T, phi: T) -> T::Vec3 {
 }
 
 /// Polar angle in [0, π] and azimuth in [−π, π] of a unit direction, in radians; precise also close
-/// to the normal, down to 10⁻¹⁸ radians in `f32` and 10⁻¹⁵⁰ in `f64`. Azimuth 0 at the normal itself, −π where y is −0 and x negative.
+/// to the normal, down to 10⁻¹⁸ radians in `f32` and 10⁻¹⁵⁰ in `f64`. Azimuth 0 at the normal
+/// itself, −π where y is −0 and x negative.
 #[inline(always)]
 #[must_use]
 pub fn to_spherical<T: Real, V: Vector<T>>(w: V) -> (T, T) {
