@@ -16,6 +16,7 @@ pub mod colorimetry;
 pub mod description;
 pub mod diffuse;
 mod direction;
+pub mod distribution;
 mod error;
 mod frame;
 pub mod fresnel;
@@ -35,14 +36,14 @@ pub use direction::{
     Pair, Refraction, above_surface, brewster_angle, critical_angle, from_spherical, reflect,
     refract, to_spherical,
 };
+pub use distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture, Smith};
 pub use error::ParameterError;
 pub use frame::Frame;
 pub use fresnel::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
-    Beckmann, Blinn, Blinn1977, Blinn1977Printed, CookTorrance, CookTorrance1982Printed,
-    Distribution, Gaussian, Ggx, Mixture, Shadowing, Smith, SmithCorrelated, SmithSeparable,
-    VCavity,
+    Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Shadowing, SmithCorrelated,
+    SmithSeparable, VCavity,
 };
 pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

@@ -3,8 +3,8 @@
 use alloc::boxed::Box;
 
 use crate::brdf::Brdf;
+use crate::distribution::Distribution;
 use crate::fresnel::Fresnel;
-use crate::microfacet::Distribution;
 use crate::real::Real;
 
 /// A model whose type is known only at run time.

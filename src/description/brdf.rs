@@ -12,9 +12,10 @@ use super::normals::Normals;
 use super::place::{Place, Record};
 use super::value::{ColorDescription, RoughnessDescription, colored};
 use crate::diffuse::{Lambert, OrenNayar};
+use crate::distribution::{Beckmann, Blinn1977};
 use crate::error::{ParameterError, range};
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
-use crate::microfacet::{Beckmann, Blinn1977, Blinn1977Printed, CookTorrance};
+use crate::microfacet::{Blinn1977Printed, CookTorrance};
 use crate::real::{Color, Real};
 use crate::sum::WeightedSum;
 

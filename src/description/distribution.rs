@@ -9,8 +9,8 @@ use super::form::{entrance, forms, part};
 use super::normals::{Mixed, Normals, SmithNormals, each_distribution};
 use super::place::{Place, Record};
 use super::value::RoughnessDescription;
+use crate::distribution::{Beckmann, Blinn, Gaussian, Ggx};
 use crate::error::{ParameterError, range};
-use crate::microfacet::{Beckmann, Blinn, Gaussian, Ggx};
 use crate::real::Real;
 
 forms! {

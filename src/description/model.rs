@@ -7,10 +7,10 @@ use super::any::AnyBrdf;
 use super::fresnel::{Reflectance, each_fresnel};
 use super::normals::{Normals, SmithNormals, each_distribution, each_smith};
 use crate::diffuse::{Lambert, OrenNayar};
+use crate::distribution::{Beckmann, Blinn, Gaussian, Ggx};
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{
-    Beckmann, Blinn, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Gaussian, Ggx,
-    SmithCorrelated, SmithSeparable,
+    Blinn1977Printed, CookTorrance, CookTorrance1982Printed, SmithCorrelated, SmithSeparable,
 };
 use crate::real::Real;
 use crate::sum::WeightedSum;

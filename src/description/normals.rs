@@ -5,8 +5,8 @@
 
 use alloc::vec::Vec;
 
-use crate::microfacet::mixture::{Choice, Visible};
-use crate::microfacet::{Beckmann, Blinn, Distribution, Gaussian, Ggx, Smith};
+use crate::distribution::mixture::{Choice, Visible};
+use crate::distribution::{Beckmann, Blinn, Distribution, Gaussian, Ggx, Smith};
 use crate::real::Real;
 
 /// A checked distribution.

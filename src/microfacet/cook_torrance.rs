@@ -1,4 +1,3 @@
-use super::distribution::Distribution;
 use super::facets::{DrawBlock, Facets, Mirrored, MirroredBlock};
 use super::shadowing::Shadowing;
 use super::v_cavity::VCavity;
@@ -9,6 +8,7 @@ use crate::block::{
     BatchError, ColorBuffer, Directions, InstructionSet, SampleBuffer, Uniforms, run,
 };
 use crate::brdf::{Brdf, Sample};
+use crate::distribution::Distribution;
 use crate::fresnel::Fresnel;
 use crate::real::{Color, Lift, Real, in_place, lift};
 

@@ -3,11 +3,11 @@
 //! For batches this is a stage of its own. It is compiled once for each pair of distribution and
 //! shadowing and not once more for each Fresnel term, and its loops keep to fewer registers.
 
-use super::distribution::Distribution;
 use super::shadowing::Shadowing;
 use crate::block::planes::{Answers, BLOCK, Components, Plane, Planes, within};
 use crate::block::{BatchError, Directions, InstructionSet, run};
 use crate::direction::{Pair, above_or_normal, above_surface, reflect};
+use crate::distribution::Distribution;
 use crate::real::{Mask, Real, Vector, in_place};
 
 /// The facets of a surface.

@@ -2,15 +2,10 @@
 
 use core::f64::consts::PI;
 
-use super::beckmann::Beckmann;
-use super::blinn::Blinn;
-use super::blinn_1977::Blinn1977;
 use super::cook_torrance::CookTorrance;
-use super::distribution::Distribution;
-use super::gaussian::Gaussian;
-use super::ggx::Ggx;
 use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
+use crate::distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx};
 use crate::error::ParameterError;
 use crate::fresnel::Fresnel;
 use crate::real::{Color, Lift, Real, Vector, lift};

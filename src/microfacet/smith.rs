@@ -1,6 +1,6 @@
-use super::distribution::Smith;
 use super::shadowing::Shadowing;
 use crate::direction::Pair;
+use crate::distribution::Smith;
 use crate::real::{Real, lift};
 
 /// Smith's shadowing and masking of a random surface, correlated by height: a high facet is seen

@@ -1,8 +1,8 @@
 use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-use super::distribution::Distribution;
 use super::shadowing::Shadowing;
 use crate::direction::{Pair, above_or_normal};
+use crate::distribution::Distribution;
 use crate::real::{Real, Vector, iterate, lift};
 use crate::sampling::uniform;
 

@@ -8,18 +8,18 @@ use crate::common::faulty::Operation::{
     Sub, X,
 };
 
-const BECKMANN: &str = "src/microfacet/beckmann.rs";
-const BLINN: &str = "src/microfacet/blinn.rs";
-const BLINN_1977: &str = "src/microfacet/blinn_1977.rs";
+const BECKMANN: &str = "src/distribution/beckmann.rs";
+const BLINN: &str = "src/distribution/blinn.rs";
+const BLINN_1977: &str = "src/distribution/blinn_1977.rs";
 const FACETS: &str = "src/microfacet/facets.rs";
-const GAUSSIAN: &str = "src/microfacet/gaussian.rs";
-const TILTS: &str = "src/microfacet/gaussian_tilts.rs";
-const GGX: &str = "src/microfacet/ggx.rs";
+const GAUSSIAN: &str = "src/distribution/gaussian.rs";
+const TILTS: &str = "src/distribution/gaussian_tilts.rs";
+const GGX: &str = "src/distribution/ggx.rs";
 const HISTORICAL: &str = "src/microfacet/historical.rs";
 const IERFC: &str = "src/real/math/ierfc.rs";
-const MIXTURE: &str = "src/microfacet/mixture.rs";
-const ROUGHNESS: &str = "src/microfacet/roughness.rs";
-const SLOPES: &str = "src/microfacet/normal_slopes.rs";
+const MIXTURE: &str = "src/distribution/mixture.rs";
+const ROUGHNESS: &str = "src/distribution/roughness.rs";
+const SLOPES: &str = "src/distribution/normal_slopes.rs";
 const SMITH: &str = "src/microfacet/smith.rs";
 const V_CAVITY: &str = "src/microfacet/v_cavity.rs";
 

@@ -1,6 +1,6 @@
-use super::distribution::{Distribution, Smith};
 use super::normal_slopes::{slopes, visible_slopes};
 use super::roughness::Roughness;
+use super::traits::{Distribution, Smith};
 use crate::error::ParameterError;
 use crate::real::{Mask, Real, Vector, ierfc, lift};
 

@@ -25,7 +25,7 @@ use crate::real::{Mask, Real};
 /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
 ///
 /// ```
-/// use brdf::microfacet::Blinn1977;
+/// use brdf::Blinn1977;
 ///
 /// let blinn = Blinn1977::new(0.3_f64)?;
 /// assert!((blinn.d1(0.3) - 0.5).abs() < 1e-15);

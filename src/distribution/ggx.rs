@@ -1,5 +1,5 @@
-use super::distribution::{Distribution, Smith};
 use super::roughness::Roughness;
+use super::traits::{Distribution, Smith};
 use crate::error::ParameterError;
 use crate::real::{Real, Vector, lift};
 use crate::sampling::uniform;

@@ -1,6 +1,6 @@
 use core::f64::consts::FRAC_1_PI;
 
-use super::distribution::Distribution;
+use super::traits::Distribution;
 use crate::error::{ParameterError, range};
 use crate::real::{Real, Vector, lift};
 use crate::sampling::uniform;
@@ -17,7 +17,7 @@ use crate::sampling::uniform;
 /// | n | `exponent` | sharpness; 0 makes D constant, large n a mirror | 0 … 10⁸ |
 ///
 /// Normalised, ∫ D cosα dω = 1. Blinn's own D₁ is the same power with maximum 1 instead, see
-/// [`Blinn1977`](crate::microfacet::Blinn1977). cosⁿα is computed as (cos²α/(cos²α + sin²α))^(n/2),
+/// [`Blinn1977`](crate::Blinn1977). cosⁿα is computed as (cos²α/(cos²α + sin²α))^(n/2),
 /// which keeps its digits close to the normal, where large exponents live.
 ///
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,

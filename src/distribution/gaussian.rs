@@ -1,7 +1,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::distribution::Distribution;
 use super::gaussian_tilts::Tilts;
+use super::traits::Distribution;
 use crate::error::{ParameterError, range};
 use crate::real::{Real, Vector, lift};
 use crate::sampling::uniform;

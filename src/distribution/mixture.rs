@@ -1,4 +1,4 @@
-use super::distribution::{Distribution, Smith};
+use super::traits::{Distribution, Smith};
 use crate::error::{ParameterError, range};
 use crate::real::{Lift, Mask, Real, Vector, lift};
 use crate::sampling::uniform;

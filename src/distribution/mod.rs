@@ -1,0 +1,20 @@
+//! Distributions of facet normals: how the small mirrors of a rough surface are tilted.
+
+mod beckmann;
+mod blinn;
+mod blinn_1977;
+mod gaussian;
+mod gaussian_tilts;
+mod ggx;
+pub(crate) mod mixture;
+mod normal_slopes;
+mod roughness;
+mod traits;
+
+pub use beckmann::Beckmann;
+pub use blinn::Blinn;
+pub use blinn_1977::Blinn1977;
+pub use gaussian::Gaussian;
+pub use ggx::Ggx;
+pub use mixture::Mixture;
+pub use traits::{Distribution, Smith};
