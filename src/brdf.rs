@@ -140,12 +140,7 @@ impl<T: Real, C: Color<T>> Sample<T, C> {
     #[inline(always)]
     #[must_use]
     pub fn only_where(self, mask: T::Mask) -> Self {
-        let zero = T::lit(0.0);
-        Self {
-            wi: self.wi,
-            weight: C::choose(mask, self.weight, C::splat(zero)),
-            pdf: T::select(mask, self.pdf, zero),
-        }
+        Self { wi: self.wi, weight: self.weight.only_where(mask), pdf: self.pdf.only_where(mask) }
     }
 }
 

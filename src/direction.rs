@@ -44,7 +44,7 @@ impl<T: Real> Pair<T> {
     #[inline(always)]
     #[must_use]
     pub fn new(wi: T::Vec3, wo: T::Vec3) -> Self {
-        Self::where_above(wi, wo, above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
+        Self::where_above(wi, wo, both_above::<T>(wi, wo))
     }
 
     /// The same where it is known already which pairs are above the surface.
@@ -57,7 +57,7 @@ impl<T: Real> Pair<T> {
         let sum: T::Vec3 = Vector::new(sum.x(), sum.y(), sum.z().max(T::lit(FLOOR)));
         let length = Vector::length_squared(sum).sqrt();
         let cos_d = length * T::lit(0.5);
-        let h = sum * (T::lit(1.0) / length);
+        let h = sum * (T::one() / length);
         Self { wi, wo, cos_i, cos_o, sum, h, cos_h: h.z(), cos_d, above }
     }
 }
@@ -79,14 +79,21 @@ const FLOOR: f64 = 1.0 / (1_u64 << 60) as f64;
 #[inline(always)]
 #[must_use]
 pub fn above_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
-    let off = Vector::length_squared(w) - T::lit(1.0);
-    off.abs().le(T::lit(0.01)).and(w.z().gt(T::lit(0.0)))
+    let off = Vector::length_squared(w) - T::one();
+    off.abs().le(T::lit(0.01)).and(w.z().gt(T::zero()))
+}
+
+/// Where both are directions above the surface: elsewhere every answer of a model is zero.
+#[inline(always)]
+#[must_use]
+pub fn both_above<T: Real>(wi: T::Vec3, wo: T::Vec3) -> T::Mask {
+    above_surface::<T, _>(wi).and(above_surface::<T, _>(wo))
 }
 
 /// A direction above the surface; the normal in the place of any other vector.
 #[inline(always)]
 pub(crate) fn above_or_normal<T: Real, V: Vector<T>>(w: V) -> V {
-    let normal = V::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+    let normal = V::new(T::zero(), T::zero(), T::one());
     V::select(above_surface::<T, _>(w), w, normal)
 }
 
@@ -139,14 +146,14 @@ pub fn refract<T: Real, V: Vector<T>>(
     eta_above: T,
     eta_below: T,
 ) -> Refraction<V, T::Mask> {
-    let zero = T::lit(0.0);
+    let zero = T::zero();
     let cos = Vector::dot(w, normal);
     let from_below = cos.lt(zero);
     let n12 = T::select(from_below, eta_below / eta_above, eta_above / eta_below);
-    let facing = normal * T::select(from_below, T::lit(-1.0), T::lit(1.0));
+    let facing = normal * T::select(from_below, T::lit(-1.0), T::one());
     // sin² from the vector product: 1 − cos² has no digits left near the normal.
     let sin_squared = Vector::length_squared(Vector::cross(w, normal));
-    let cos_t_squared = T::lit(1.0) - n12 * n12 * sin_squared;
+    let cos_t_squared = T::one() - n12 * n12 * sin_squared;
     let total = cos_t_squared.lt(zero);
     let cos_t = cos_t_squared.max(zero).sqrt();
     let transmitted = facing * (n12 * cos.abs() - cos_t) - w * n12;

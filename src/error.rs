@@ -3,7 +3,7 @@
 use core::error::Error;
 use core::fmt;
 
-use crate::real::Real;
+use crate::real::{Color, Real};
 
 /// A parameter that a constructor did not accept.
 ///
@@ -27,41 +27,23 @@ pub struct ParameterError {
 }
 
 impl ParameterError {
-    /// Checks one parameter: `outside` asks it for a value outside the range, as
-    /// [`Real::outside`](crate::Real::outside) does.
-    #[inline(always)]
-    pub(crate) fn check(
-        parameter: &'static str,
-        (lower, upper): (f64, f64),
-        outside: impl FnOnce(f64, f64) -> Option<f64>,
-    ) -> Result<(), Self> {
-        match outside(lower, upper) {
-            None => Ok(()),
-            Some(value) => {
-                Err(Self { parameter, value, lower, upper, position: None, previous: None })
-            }
-        }
-    }
-
     /// Checks a list whose numbers lie in a range and each above the one before it.
     pub(crate) fn check_ascending(
         parameter: &'static str,
-        (lower, upper): (f64, f64),
+        range: Range,
         list: &[f64],
     ) -> Result<(), Self> {
         let at = |position| move |error| Self { position: Some(position), ..error };
         for (position, value) in list.iter().enumerate() {
-            Self::check(parameter, (lower, upper), |lower, upper| value.outside(lower, upper))
-                .map_err(at(position))?;
+            range.check(parameter, *value).map_err(at(position))?;
         }
         for (before, pair) in list.windows(2).enumerate() {
             if let [previous, value] = *pair {
                 let above = previous.next_up();
-                Self::check(parameter, (above, upper.max(above)), |lower, upper| {
-                    value.outside(lower, upper)
-                })
-                .map_err(at(before + 1))
-                .map_err(|error| Self { previous: Some(previous), ..error })?;
+                Range { lower: above, upper: range.upper.max(above) }
+                    .check(parameter, value)
+                    .map_err(at(before + 1))
+                    .map_err(|error| Self { previous: Some(previous), ..error })?;
             }
         }
         Ok(())
@@ -138,24 +120,62 @@ impl fmt::Display for Number {
 
 impl Error for ParameterError {}
 
-/// Ranges of parameters that several models share, both ends included.
+/// What a parameter may be, both ends included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    /// The smallest allowed value.
+    pub lower: f64,
+    /// The largest allowed value.
+    pub upper: f64,
+}
+
+impl Range {
+    pub(crate) const fn new(lower: f64, upper: f64) -> Self {
+        Self { lower, upper }
+    }
+
+    /// Checks a number, or every channel of a colour.
+    #[inline]
+    pub(crate) fn check<T: Real, C: Color<T>>(
+        self,
+        parameter: &'static str,
+        value: C,
+    ) -> Result<(), ParameterError> {
+        let Self { lower, upper } = self;
+        match value.outside(lower, upper) {
+            None => Ok(()),
+            Some(value) => Err(ParameterError {
+                parameter,
+                value,
+                lower,
+                upper,
+                position: None,
+                previous: None,
+            }),
+        }
+    }
+}
+
+/// Ranges of parameters that several models share.
 ///
 /// The ends are where the squares and fourth powers in the formulas still fit an `f32`.
 pub(crate) mod range {
+    use super::Range;
+
     /// Albedo, reflectance.
-    pub(crate) const UNIT: (f64, f64) = (0.0, 1.0);
+    pub(crate) const UNIT: Range = Range::new(0.0, 1.0);
     /// Roughness: the root-mean-square slope or its like.
-    pub(crate) const ROUGHNESS: (f64, f64) = (1e-8, 1e4);
+    pub(crate) const ROUGHNESS: Range = Range::new(1e-8, 1e4);
     /// Standard deviation of the tilt of facets, radians: up to π/2.
-    pub(crate) const SIGMA: (f64, f64) = (0.0, core::f64::consts::FRAC_PI_2);
+    pub(crate) const SIGMA: Range = Range::new(0.0, core::f64::consts::FRAC_PI_2);
     /// Weight of a term of a sum.
-    pub(crate) const WEIGHT: (f64, f64) = (0.0, 1e10);
+    pub(crate) const WEIGHT: Range = Range::new(0.0, 1e10);
     /// Sum of the weights, averaged over the channels: what probabilities are made from.
-    pub(crate) const TOTAL_WEIGHT: (f64, f64) = (1e-30, 1e30);
+    pub(crate) const TOTAL_WEIGHT: Range = Range::new(1e-30, 1e30);
     /// Exponent of a power of a cosine.
-    pub(crate) const EXPONENT: (f64, f64) = (0.0, 1e8);
+    pub(crate) const EXPONENT: Range = Range::new(0.0, 1e8);
     /// Real part of a refractive index.
-    pub(crate) const ETA: (f64, f64) = (1e-4, 1e4);
+    pub(crate) const ETA: Range = Range::new(1e-4, 1e4);
     /// Imaginary part of a refractive index.
-    pub(crate) const K: (f64, f64) = (0.0, 1e4);
+    pub(crate) const K: Range = Range::new(0.0, 1e4);
 }

@@ -31,8 +31,8 @@ impl<V> Frame<V> {
     where
         V: Vector<T>,
     {
-        let one = T::lit(1.0);
-        let n = unit_or(normal, V::new(T::lit(0.0), T::lit(0.0), one));
+        let one = T::one();
+        let n = unit_or(normal, V::new(T::zero(), T::zero(), one));
         let sign = one.copysign(n.z());
         let a = -one / (sign + n.z());
         let b = n.x() * n.y() * a;
@@ -120,7 +120,7 @@ impl<V> Frame<V> {
 fn unit_or<T: Real, V: Vector<T>>(v: V, otherwise: V) -> V {
     let largest = v.x().abs().max(v.y().abs()).max(v.z().abs());
     let usable = largest.gt(T::lit(1e-37)).and(largest.le(T::max_finite()));
-    let scale = T::lit(1.0) / T::select(usable, largest, T::lit(1.0));
+    let scale = T::one() / T::select(usable, largest, T::one());
     let scaled = v * scale;
     // The largest of numbers and NaN may be a number; the sum of their squares is NaN.
     let usable = usable.and(Vector::length_squared(scaled).gt(T::lit(0.5)));

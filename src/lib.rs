@@ -33,11 +33,11 @@ pub use brdf::{Brdf, Sample};
 pub use colorimetry::{Illuminant, Observer};
 pub use diffuse::{Lambert, OrenNayar};
 pub use direction::{
-    Pair, Refraction, above_surface, brewster_angle, critical_angle, from_spherical, reflect,
-    refract, to_spherical,
+    Pair, Refraction, above_surface, both_above, brewster_angle, critical_angle, from_spherical,
+    reflect, refract, to_spherical,
 };
 pub use distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture, Smith};
-pub use error::ParameterError;
+pub use error::{ParameterError, Range};
 pub use frame::Frame;
 pub use fresnel::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};

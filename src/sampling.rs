@@ -6,7 +6,7 @@ use crate::real::{Real, Vector};
 /// end, NaN to 0. Both ends are allowed.
 #[inline(always)]
 pub(crate) fn uniform<T: Real>(u: [T; 2]) -> [T; 2] {
-    u.map(|u| u.clamp(T::lit(0.0), T::lit(1.0)))
+    u.map(|u| u.clamp(T::zero(), T::one()))
 }
 
 /// A direction with density cosθ/π: a uniform point of the unit disk, lifted to the hemisphere.
@@ -15,5 +15,5 @@ pub(crate) fn cosine_hemisphere<T: Real>(u: [T; 2]) -> T::Vec3 {
     let [radius_squared, turn] = uniform(u);
     let radius = radius_squared.sqrt();
     let (sin, cos) = turn.sin_cos_turns();
-    Vector::new(radius * cos, radius * sin, (T::lit(1.0) - radius_squared).sqrt())
+    Vector::new(radius * cos, radius * sin, (T::one() - radius_squared).sqrt())
 }

@@ -68,19 +68,15 @@ impl<M, C, T> WeightedSum<M, C, T> {
         T: Real,
         C: Color<T>,
     {
-        let mut total = T::lit(0.0);
+        let mut total = T::zero();
         let mut checked = Vec::new();
         for (weight, model) in terms {
-            ParameterError::check("weight", range::WEIGHT, |lower, upper| {
-                weight.outside(lower, upper)
-            })?;
+            range::WEIGHT.check("weight", weight)?;
             let mean = weight.mean();
             total = total + mean;
             checked.push(Term { weight, probability: mean, model });
         }
-        ParameterError::check("total weight", range::TOTAL_WEIGHT, |lower, upper| {
-            total.outside(lower, upper)
-        })?;
+        range::TOTAL_WEIGHT.check("total weight", total)?;
         for term in &mut checked {
             term.probability = term.probability / total;
         }
@@ -130,12 +126,12 @@ where
         let sum = self
             .terms
             .iter()
-            .fold(T::lit(0.0), |sum, term| sum + term.probability * term.model.pdf(wi, wo));
+            .fold(T::zero(), |sum, term| sum + term.probability * term.model.pdf(wi, wo));
         sum.min(T::max_finite())
     }
 
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        let (u, mut start, mut kept) = (uniform(u), T::lit(0.0), Kept::new());
+        let (u, mut start, mut kept) = (uniform(u), T::zero(), Kept::new());
         for term in &self.terms {
             let sample = term.model.sample(wo, [term.stretched(start, u[0]), u[1]]);
             kept = term.kept(start, u[0], sample.wi, sample.pdf, kept);
@@ -190,7 +186,7 @@ where
         wo: Components<'_, T>,
         mut values: Slots<'_, T, C>,
     ) -> Result<(), BatchError> {
-        let zero = C::splat(T::lit(0.0));
+        let zero = C::splat(T::zero());
         let (mut sum, mut colors) = ([zero; BLOCK], [zero; BLOCK]);
         for term in &self.terms {
             term.model.eval_batch(wi.into(), wo.into(), (&mut colors).into())?;
@@ -211,7 +207,7 @@ where
         wo: Components<'_, T>,
         pdf: &mut Plane<T>,
     ) -> Result<(), BatchError> {
-        let mut each = [T::lit(0.0); BLOCK];
+        let mut each = [T::zero(); BLOCK];
         let mut sum = each;
         for term in &self.terms {
             term.model.pdf_batch(wi.into(), wo.into(), &mut each)?;
@@ -230,9 +226,9 @@ where
         [u0, u1]: [&Plane<T>; 2],
         samples: &mut Samples<T, C>,
     ) -> Result<(), BatchError> {
-        let (mut start, mut kept) = (T::lit(0.0), [Kept::new(); BLOCK]);
-        let mut stretched = [T::lit(0.0); BLOCK];
-        let mut colors = [C::splat(T::lit(0.0)); BLOCK];
+        let (mut start, mut kept) = (T::zero(), [Kept::new(); BLOCK]);
+        let mut stretched = [T::zero(); BLOCK];
+        let mut colors = [C::splat(T::zero()); BLOCK];
         for term in &self.terms {
             for (stretched, u) in stretched.iter_mut().zip(u0) {
                 *stretched = term.stretched(start, uniform([*u, *u])[0]);
@@ -253,7 +249,7 @@ where
         for (index, kept) in kept.iter().enumerate() {
             samples.wi.set(index, kept.wi);
         }
-        let mut pdf = [T::lit(0.0); BLOCK];
+        let mut pdf = [T::zero(); BLOCK];
         self.pdf_block(samples.wi.components(), wo, &mut pdf)?;
         self.eval_block(samples.wi.components(), wo, samples.weight.slots())?;
         for (index, (kept, pdf)) in kept.iter().zip(pdf).enumerate() {
@@ -270,7 +266,7 @@ impl<M, C, T: Real> Term<M, C, T> {
     /// may stretch it to 1, and for the terms not kept it lies anywhere: ½ serves as well.
     #[inline(always)]
     fn stretched(&self, start: T, u: T) -> T {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (zero, one) = (T::zero(), T::one());
         let possible = self.probability.gt(zero);
         let stretched = (u - start) / T::select(possible, self.probability, one);
         let usable = stretched.ge(zero).and(stretched.lt(one));
@@ -280,7 +276,7 @@ impl<M, C, T: Real> Term<M, C, T> {
     /// Every term draws, and the last one that begins at or before u₀ is kept.
     #[inline(always)]
     fn kept(&self, start: T, u: T, wi: T::Vec3, pdf: T, before: Kept<T>) -> Kept<T> {
-        let kept = self.probability.gt(T::lit(0.0)).and(u.ge(start));
+        let kept = self.probability.gt(T::zero()).and(u.ge(start));
         Kept { wi: Vector::select(kept, wi, before.wi), drawn: T::select(kept, pdf, before.drawn) }
     }
 }
@@ -295,16 +291,16 @@ struct Kept<T: Real> {
 impl<T: Real> Kept<T> {
     #[inline(always)]
     fn new() -> Self {
-        let zero = T::lit(0.0);
-        Self { wi: Vector::new(zero, zero, T::lit(1.0)), drawn: zero }
+        let zero = T::zero();
+        Self { wi: Vector::new(zero, zero, T::one()), drawn: zero }
     }
 
     /// The sample, with density and value of the whole sum. The probability of a direction is that
     /// of all terms; what one of them could draw, the sum can.
     #[inline(always)]
     fn sample<C: Color<T>>(self, pdf: T, value: C) -> Sample<T, C> {
-        let valid = self.drawn.gt(T::lit(0.0)).and(pdf.gt(T::lit(0.0)));
-        let scale = (self.wi.z() / T::select(valid, pdf, T::lit(1.0))).min(T::max_finite());
+        let valid = self.drawn.gt(T::zero()).and(pdf.gt(T::zero()));
+        let scale = (self.wi.z() / T::select(valid, pdf, T::one())).min(T::max_finite());
         let weight = value.map(|value| (value * scale).min(T::max_finite()));
         Sample { wi: self.wi, weight, pdf }.only_where(valid)
     }
@@ -326,7 +322,7 @@ impl<M, C, T> WeightedSum<M, C, T> {
         let sum = self
             .terms
             .iter()
-            .fold(C::splat(T::lit(0.0)), |sum, term| sum + term.weight * color(&term.model));
+            .fold(C::splat(T::zero()), |sum, term| sum + term.weight * color(&term.model));
         limited(sum)
     }
 }

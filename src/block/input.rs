@@ -115,7 +115,7 @@ pub(super) fn whole<T>(slice: &[T], start: usize) -> Option<&[T; BLOCK]> {
 /// Copies what there is of a block, and its first element behind it: a formula may rely on what it
 /// is asked.
 pub(super) fn fill<T: Real>(memory: &mut Plane<T>, from: &[T]) {
-    *memory = [from.first().copied().unwrap_or(T::lit(0.0)); BLOCK];
+    *memory = [from.first().copied().unwrap_or(T::zero()); BLOCK];
     for (memory, from) in memory.iter_mut().zip(from) {
         *memory = *from;
     }
@@ -179,7 +179,7 @@ impl<'a, T: Real> Uniforms<'a, T> {
         match *self {
             Self::Pairs(pairs) => {
                 let rest = pairs.get(start..).unwrap_or_default();
-                let first = rest.first().copied().unwrap_or([T::lit(0.0); 2]);
+                let first = rest.first().copied().unwrap_or([T::zero(); 2]);
                 *memory = Planes(first.map(|number| [number; BLOCK]));
                 for (index, pair) in rest.iter().take(BLOCK).enumerate() {
                     memory.0[0][index] = pair[0];

@@ -62,7 +62,7 @@ fn over_numbers<T: Real, C: Color<T>>(
         set,
         #[inline(always)]
         || {
-            let mut memory = [T::lit(0.0); BLOCK];
+            let mut memory = [T::zero(); BLOCK];
             let mut result = Values::new();
             for start in (0..length.get()).step_by(BLOCK) {
                 let numbers = match whole(cos_theta, start) {
@@ -101,7 +101,7 @@ fn over_directions<T: Real>(
         #[inline(always)]
         || {
             let mut memory = Planes::new();
-            let mut result = [T::lit(0.0); BLOCK];
+            let mut result = [T::zero(); BLOCK];
             for start in (0..length.get()).step_by(BLOCK) {
                 let h = h.block(start, &mut memory);
                 if let Some(densities) = whole_mut(densities, start) {

@@ -55,7 +55,7 @@ pub(crate) struct Planes<T, const COUNT: usize>(pub(crate) [Plane<T>; COUNT]);
 impl<T: Real, const COUNT: usize> Planes<T, COUNT> {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self([[T::lit(0.0); BLOCK]; COUNT])
+        Self([[T::zero(); BLOCK]; COUNT])
     }
 }
 

@@ -113,7 +113,7 @@ pub(crate) fn pdf<T: Real>(
         #[inline(always)]
         || {
             let (mut wi_memory, mut wo_memory) = (Planes::new(), Planes::new());
-            let mut result = [T::lit(0.0); BLOCK];
+            let mut result = [T::zero(); BLOCK];
             for start in (0..length).step_by(BLOCK) {
                 let wi = wi.block(start, &mut wi_memory);
                 let wo = wo.block(start, &mut wo_memory);

@@ -22,7 +22,7 @@ pub(crate) struct Slots<'a, T, C> {
 /// Number of channels of a colour.
 #[inline(always)]
 pub(crate) fn channels<T: Real, C: Color<T>>() -> usize {
-    C::splat(T::lit(0.0)).fold(0, |count, _| count + 1)
+    C::splat(T::zero()).fold(0, |count, _| count + 1)
 }
 
 /// Whether the channels of a colour have planes of their own.
@@ -34,7 +34,7 @@ pub(crate) fn in_planes<T: Real, C: Color<T>>() -> bool {
 /// One channel of a colour.
 #[inline(always)]
 fn channel<T: Real, C: Color<T>>(color: C, channel: usize) -> T {
-    let (_, value) = color.fold((0, T::lit(0.0)), |(at, found), value| {
+    let (_, value) = color.fold((0, T::zero()), |(at, found), value| {
         (at + 1, if at == channel { value } else { found })
     });
     value
@@ -62,7 +62,7 @@ macro_rules! set {
 impl<T: Real, C: Color<T>> Values<T, C> {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self { planes: Planes::new(), colors: [C::splat(T::lit(0.0)); BLOCK] }
+        Self { planes: Planes::new(), colors: [C::splat(T::zero()); BLOCK] }
     }
 
     #[inline(always)]
@@ -83,7 +83,7 @@ impl<T: Real, C: Color<T>> Values<T, C> {
     pub(crate) fn at(&self, index: usize) -> C {
         if in_planes::<T, C>() {
             let channel = Cell::new(0);
-            C::splat(T::lit(0.0))
+            C::splat(T::zero())
                 .map(|_| self.planes.0[channel.replace(channel.get() + 1) & 3][index])
         } else {
             self.colors[index]
@@ -141,7 +141,7 @@ pub(crate) struct Samples<T, C> {
 impl<T: Real, C: Color<T>> Samples<T, C> {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self { wi: Planes::new(), weight: Values::new(), pdf: [T::lit(0.0); BLOCK] }
+        Self { wi: Planes::new(), weight: Values::new(), pdf: [T::zero(); BLOCK] }
     }
 }
 

@@ -6,7 +6,7 @@ use super::illuminant::Illuminant;
 use super::matrix::{Matrix, apply, inverse, product};
 use super::srgb::{FROM_XYZ, SRGB_WHITE, transform, xyz_to_linear_srgb};
 use super::tables::{COLOR_MATCHING, WAVELENGTHS};
-use crate::error::ParameterError;
+use crate::error::{ParameterError, Range};
 use crate::real::{Real, Spectrum, Vector};
 
 /// Bradford's cone responses: K. M. Lam 1985, in the form of CIECAM97s.
@@ -63,10 +63,8 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// # Errors
     /// If there is no wavelength, or one is not above the one before it or not in 100 … 10⁵.
     pub fn new(illuminant: Illuminant, wavelengths: [f64; N]) -> Result<Self, ParameterError> {
-        ParameterError::check("number of wavelengths", (1.0, f64::INFINITY), |lower, upper| {
-            (N as f64).outside(lower, upper)
-        })?;
-        ParameterError::check_ascending("wavelength", (100.0, 1e5), &wavelengths)?;
+        Range::new(1.0, f64::INFINITY).check("number of wavelengths", N as f64)?;
+        ParameterError::check_ascending("wavelength", Range::new(100.0, 1e5), &wavelengths)?;
         let mut weights = [[0.0; 3]; N];
         let powers = illuminant.power();
         let luminance: f64 = powers.iter().zip(COLOR_MATCHING).map(|(s, [_, y, _])| s * y).sum();
@@ -89,7 +87,7 @@ impl<T: Real, const N: usize> Observer<T, N> {
     /// XYZ of a reflectance, with Y = 1 for the perfect reflector.
     #[must_use]
     pub fn xyz(&self, reflectance: Spectrum<T, N>) -> T::Vec3 {
-        let mut sum = [T::lit(0.0); 3];
+        let mut sum = [T::zero(); 3];
         for (weights, value) in self.weights.iter().zip(reflectance.0) {
             sum = from_fn(|axis| sum[axis] + weights[axis] * value);
         }

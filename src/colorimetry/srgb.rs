@@ -80,5 +80,5 @@ pub fn linear_srgb_to_xyz<T: Real, V: Vector<T>>(rgb: V) -> V {
 /// ```
 #[must_use]
 pub fn clamp_to_srgb<T: Real, C: Color<T>>(rgb: C) -> C {
-    rgb.map(|channel| channel.clamp(T::lit(0.0), T::lit(1.0)))
+    rgb.map(|channel| channel.clamp(T::zero(), T::one()))
 }

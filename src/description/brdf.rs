@@ -13,10 +13,10 @@ use super::place::{Place, Record};
 use super::value::{ColorDescription, RoughnessDescription, colored};
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::{Beckmann, Blinn1977};
-use crate::error::{ParameterError, range};
+use crate::error::range;
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{Blinn1977Printed, CookTorrance};
-use crate::real::{Color, Real};
+use crate::real::Real;
 use crate::sum::WeightedSum;
 
 forms! {
@@ -268,9 +268,7 @@ fn sum<T: Real>(
         let place = place.term(index)?;
         let weight = term.weight.color::<T>();
         // Here and not only by the sum, because here the term is known.
-        let checked_weight = ParameterError::check("weight", range::WEIGHT, |lower, upper| {
-            Color::<T>::outside(weight, lower, upper)
-        });
+        let checked_weight = range::WEIGHT.check::<T, _>("weight", weight);
         term.weight.parameter::<T, _>(&place.key("weight"), checked_weight)?;
         checked.push((weight, term.brdf.checked(&place.key("brdf"))?));
     }

@@ -10,7 +10,7 @@ use super::normals::{Mixed, Normals, SmithNormals, each_distribution};
 use super::place::{Place, Record};
 use super::value::RoughnessDescription;
 use crate::distribution::{Beckmann, Blinn, Gaussian, Ggx};
-use crate::error::{ParameterError, range};
+use crate::error::range;
 use crate::real::Real;
 
 forms! {
@@ -105,22 +105,16 @@ fn mixture<T: Real>(
     terms: &[WeightedDistribution],
     place: &Place<'_>,
 ) -> Result<Mixed<T>, DescriptionError> {
-    let mut total = T::lit(0.0);
+    let mut total = T::zero();
     let mut checked = Vec::new();
     for (index, term) in terms.iter().enumerate() {
         let place = place.term(index)?;
         let weight = T::lit(term.weight);
-        place.parameters(ParameterError::check("weight", range::WEIGHT, |lower, upper| {
-            weight.outside(lower, upper)
-        }))?;
+        place.parameters(range::WEIGHT.check("weight", weight))?;
         total = total + weight;
         checked.push((weight, term.distribution.checked(&place.key("distribution"))?));
     }
-    place.parameter(ParameterError::check(
-        "sum of weights",
-        range::TOTAL_WEIGHT,
-        |lower, upper| total.outside(lower, upper),
-    ))?;
+    place.parameter(range::TOTAL_WEIGHT.check("sum of weights", total))?;
     let mut mixed = Mixed::new();
     for (weight, normals) in checked {
         mixed.add(weight / total, normals);

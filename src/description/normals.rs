@@ -131,7 +131,7 @@ impl<T: Real> Distribution<T> for MixedSmith<T> {
 
     #[inline]
     fn density_along(&self, m: T::Vec3) -> T {
-        self.density_from(T::lit(0.0), m).min(T::max_finite())
+        self.density_from(T::zero(), m).min(T::max_finite())
     }
 
     #[inline]
@@ -145,13 +145,13 @@ impl<T: Real> Distribution<T> for MixedSmith<T> {
 impl<T: Real> Smith<T> for MixedSmith<T> {
     #[inline]
     fn lambda_cos(&self, w: T::Vec3) -> T {
-        let start = sum(T::lit(0.0), &self.beckmann, |each| each.lambda_cos(w));
+        let start = sum(T::zero(), &self.beckmann, |each| each.lambda_cos(w));
         sum(start, &self.ggx, |each| each.lambda_cos(w)).min(T::max_finite())
     }
 
     #[inline]
     fn projected_area(&self, w: T::Vec3) -> T {
-        let start = sum(T::lit(0.0), &self.beckmann, |each| each.projected_area(w));
+        let start = sum(T::zero(), &self.beckmann, |each| each.projected_area(w));
         sum(start, &self.ggx, |each| each.projected_area(w)).min(T::max_finite())
     }
 
@@ -171,14 +171,14 @@ impl<T: Real> Smith<T> for MixedSmith<T> {
 impl<T: Real> Distribution<T> for Mixed<T> {
     #[inline]
     fn density(&self, h: T::Vec3) -> T {
-        let start = self.smith.density_from(T::lit(0.0), h);
+        let start = self.smith.density_from(T::zero(), h);
         let start = sum(start, &self.gaussian, |each| each.density(h));
         sum(start, &self.blinn, |each| each.density(h)).min(T::max_finite())
     }
 
     #[inline]
     fn density_along(&self, m: T::Vec3) -> T {
-        let start = self.smith.density_from(T::lit(0.0), m);
+        let start = self.smith.density_from(T::zero(), m);
         let start = sum(start, &self.gaussian, |each| each.density_along(m));
         sum(start, &self.blinn, |each| each.density_along(m)).min(T::max_finite())
     }

@@ -1,9 +1,9 @@
 use core::f64::consts::FRAC_1_PI;
 
 use crate::brdf::{Brdf, Sample};
-use crate::direction::above_surface;
+use crate::direction::{above_surface, both_above};
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Mask, Real, Vector, lift, unsigned};
+use crate::real::{Color, Real, Vector, lift, unsigned};
 use crate::sampling::cosine_hemisphere;
 
 /// Lambert's ideal diffuse surface: equal radiance in all directions.
@@ -43,7 +43,7 @@ impl<C> Lambert<C> {
     where
         C: Color<T>,
     {
-        ParameterError::check("albedo", range::UNIT, |lower, upper| albedo.outside(lower, upper))?;
+        range::UNIT.check("albedo", albedo)?;
         Ok(Self { albedo: unsigned(albedo) })
     }
 }
@@ -58,25 +58,25 @@ impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
-        C::choose(above, self.albedo * T::lit(FRAC_1_PI), C::splat(T::lit(0.0)))
+        let above = both_above::<T>(wi, wo);
+        (self.albedo * T::lit(FRAC_1_PI)).only_where(above)
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
-        T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
+        let above = both_above::<T>(wi, wo);
+        (wi.z() * T::lit(FRAC_1_PI)).only_where(above)
     }
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let wi = cosine_hemisphere(u);
         Sample { wi, weight: self.albedo, pdf: wi.z() * T::lit(FRAC_1_PI) }
-            .only_where(above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
+            .only_where(both_above::<T>(wi, wo))
     }
 
     #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
-        C::choose(above_surface::<T, _>(wo), self.albedo, C::splat(T::lit(0.0)))
+        C::choose(above_surface::<T, _>(wo), self.albedo, C::splat(T::zero()))
     }
 }

@@ -1,9 +1,9 @@
 use core::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 use crate::brdf::{Brdf, Sample};
-use crate::direction::above_surface;
+use crate::direction::{above_surface, both_above};
 use crate::error::{ParameterError, range};
-use crate::real::{Color, Mask, Real, Vector, lift, unsigned};
+use crate::real::{Color, Real, Vector, lift, unsigned};
 use crate::sampling::cosine_hemisphere;
 
 /// Oren and Nayar's rough diffuse surface of Lambertian V-grooves, qualitative form.
@@ -87,12 +87,12 @@ impl<C, T> OrenNayar<C, T> {
         T: Real,
         C: Color<T>,
     {
-        ParameterError::check("albedo", range::UNIT, |lower, upper| albedo.outside(lower, upper))?;
-        ParameterError::check("sigma", range::SIGMA, |lower, upper| sigma.outside(lower, upper))?;
+        range::UNIT.check("albedo", albedo)?;
+        range::SIGMA.check("sigma", sigma)?;
         let variance = sigma.squared();
         Ok(Self {
             albedo: unsigned(albedo),
-            constant: T::lit(1.0) - T::lit(0.5) * variance / (variance + T::lit(constant)),
+            constant: T::one() - T::lit(0.5) * variance / (variance + T::lit(constant)),
             backscatter: T::lit(0.45) * variance / (variance + T::lit(0.09)),
         })
     }
@@ -106,7 +106,7 @@ impl<T: Real, C: Color<T>> OrenNayar<C, T> {
         let tallest = wi.z().max(wo.z());
         // Two directions that graze to the last bit overflow, and 0 · ∞ must not arise for B = 0.
         let limit = T::max_finite();
-        let azimuth = (across.max(T::lit(0.0)) / tallest).min(limit);
+        let azimuth = (across.max(T::zero()) / tallest).min(limit);
         (self.constant + self.backscatter * azimuth).min(limit)
     }
 }
@@ -121,28 +121,27 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
+        let above = both_above::<T>(wi, wo);
         let value = T::lit(FRAC_1_PI) * self.relative(wi, wo);
-        C::choose(above, self.albedo * value, C::splat(T::lit(0.0)))
+        (self.albedo * value).only_where(above)
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
-        T::select(above, wi.z() * T::lit(FRAC_1_PI), T::lit(0.0))
+        let above = both_above::<T>(wi, wo);
+        (wi.z() * T::lit(FRAC_1_PI)).only_where(above)
     }
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let wi = cosine_hemisphere(u);
         let weight = self.albedo * self.relative(wi, wo);
-        Sample { wi, weight, pdf: wi.z() * T::lit(FRAC_1_PI) }
-            .only_where(above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)))
+        Sample { wi, weight, pdf: wi.z() * T::lit(FRAC_1_PI) }.only_where(both_above::<T>(wi, wo))
     }
 
     #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
-        let (one, third) = (T::lit(1.0), T::lit(1.0 / 3.0));
+        let (one, third) = (T::one(), T::lit(1.0 / 3.0));
         let w = Vector::normalize_or_normal(wo);
         let cos = w.z();
         let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
@@ -151,6 +150,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
         let tangent = sin * cos * (one + sin + sin * sin) / (one + sin);
         let azimuth = sin * (theta - sin * cos) * T::lit(0.5) + tangent * third;
         let value = self.constant + self.backscatter * T::lit(FRAC_2_PI) * azimuth;
-        C::choose(above_surface::<T, _>(wo), self.albedo * value, C::splat(T::lit(0.0)))
+        C::choose(above_surface::<T, _>(wo), self.albedo * value, C::splat(T::zero()))
     }
 }

@@ -83,7 +83,7 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
 
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (zero, one) = (T::zero(), T::one());
         // From a tangent of 10⁸ on the density of any allowed roughness is below exp(−10⁸): zero.
         let sin_squared = m.x().squared() + m.y().squared();
         let cos_squared = m.z().squared();
@@ -93,20 +93,20 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
         let exponent = (self.roughness.tilt_squared(m) * inverse).min(T::lit(1e4));
         let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e16));
         let density = (-exponent).exp() * inverse_cos_squared.squared() * self.roughness.peak();
-        T::select(above, density.min(T::max_finite()), zero)
+        density.min(T::max_finite()).only_where(above)
     }
 
     #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let (x, y) = slopes(u);
-        self.roughness.unstretch(x, y, T::lit(1.0))
+        self.roughness.unstretch(x, y, T::one())
     }
 }
 
 impl<T: Real> Smith<T> for Beckmann<T> {
     #[inline(always)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
-        let cos = w.z().max(T::lit(0.0));
+        let cos = w.z().max(T::zero());
         // The least square of an f32 that is still precise. Where it takes over, Λ is zero.
         let spread = self.roughness.spread_squared(w).max(T::lit(1e-36)).sqrt();
         (T::lit(0.5) * spread * ierfc(cos / spread)).min(T::max_finite())
@@ -114,7 +114,7 @@ impl<T: Real> Smith<T> for Beckmann<T> {
 
     #[inline(always)]
     fn projected_area(&self, w: T::Vec3) -> T {
-        let cos = w.z().max(T::lit(0.0));
+        let cos = w.z().max(T::zero());
         // Bounds as above, and what has a reciprocal root.
         let spread_squared = self.roughness.spread_squared(w);
         let spread_squared = spread_squared.clamp(T::lit(1e-36), T::max_finite());
@@ -125,6 +125,6 @@ impl<T: Real> Smith<T> for Beckmann<T> {
     #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let (x, y) = visible_slopes::<T>(self.roughness.stretch_to_any_length(wo), u);
-        self.roughness.unstretch(-x, -y, T::lit(1.0))
+        self.roughness.unstretch(-x, -y, T::one())
     }
 }

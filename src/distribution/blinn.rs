@@ -1,7 +1,7 @@
 use core::f64::consts::FRAC_1_PI;
 
 use super::traits::Distribution;
-use crate::error::{ParameterError, range};
+use crate::error::{ParameterError, Range, range};
 use crate::real::{Real, Vector, lift};
 use crate::sampling::uniform;
 
@@ -43,9 +43,7 @@ impl<T: Real> Blinn<T> {
     /// # Errors
     /// If `exponent` is not in 0 … 10⁸.
     pub fn new(exponent: T) -> Result<Self, ParameterError> {
-        ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
-            exponent.outside(lower, upper)
-        })?;
+        range::EXPONENT.check("exponent", exponent)?;
         Ok(Self { exponent })
     }
 
@@ -65,10 +63,8 @@ impl<T: Real> Blinn<T> {
     /// # Errors
     /// If `roughness` is not in 0.00015 … 1; beyond 1 the exponent would be negative.
     pub fn from_roughness(roughness: T) -> Result<Self, ParameterError> {
-        ParameterError::check("roughness", (1.5e-4, 1.0), |lower, upper| {
-            roughness.outside(lower, upper)
-        })?;
-        let one = T::lit(1.0);
+        Range::new(1.5e-4, 1.0).check("roughness", roughness)?;
+        let one = T::one();
         let cos_squared = (one - roughness) * (one + roughness);
         Self::new(T::lit(2.0) * cos_squared / roughness.squared())
     }
@@ -100,7 +96,7 @@ impl<T: Real> Distribution<T> for Blinn<T> {
         let across = (m.x().squared() + m.y().squared()).min(largest);
         let peak = (self.exponent + T::lit(2.0)) * T::lit(0.5 * FRAC_1_PI);
         let power = along.power_of_part(across, self.exponent * T::lit(0.5));
-        T::select(m.z().gt(T::lit(0.0)), peak * power, T::lit(0.0))
+        (peak * power).only_where(m.z().gt(T::zero()))
     }
 
     #[inline(always)]
@@ -110,7 +106,7 @@ impl<T: Real> Distribution<T> for Blinn<T> {
         // exp(−85) is the least power that every number can represent.
         let ln = (-u).ln_1p().max(T::lit(-85.0));
         let ln_cos = ln / (self.exponent + T::lit(2.0));
-        let sin = (-(ln_cos + ln_cos).exp_m1()).max(T::lit(0.0)).sqrt();
+        let sin = (-(ln_cos + ln_cos).exp_m1()).max(T::zero()).sqrt();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
         Vector::new(sin * cos_phi, sin * sin_phi, ln_cos.exp())
     }

@@ -1,6 +1,6 @@
 use core::f64::consts::{LN_2, SQRT_2};
 
-use crate::error::ParameterError;
+use crate::error::{ParameterError, Range};
 use crate::real::{Mask, Real};
 
 /// The three distributions that Blinn compared in 1977, as printed: not normalised, with maximum
@@ -46,7 +46,7 @@ impl<T: Real> Blinn1977<T> {
     /// # Errors
     /// If `beta` is not in 2·10⁻⁴ … 1.57.
     pub fn new(beta: T) -> Result<Self, ParameterError> {
-        ParameterError::check("beta", (2e-4, 1.57), |lower, upper| beta.outside(lower, upper))?;
+        Range::new(2e-4, 1.57).check("beta", beta)?;
         let sin_squared = beta.sin().squared();
         Ok(Self {
             c1: T::lit(2.0 * LN_2) / beta.tan().squared().ln_1p(),
@@ -80,9 +80,9 @@ impl<T: Real> Blinn1977<T> {
     pub fn d1(&self, alpha: T) -> T {
         let (sin, cos) = alpha.sin_cos();
         let above = above(alpha, cos);
-        let tan_squared = (sin / T::select(above, cos, T::lit(1.0))).squared();
+        let tan_squared = (sin / T::select(above, cos, T::one())).squared();
         let power = (T::lit(-0.5) * self.c1 * tan_squared.ln_1p()).exp();
-        T::select(above, power, T::lit(0.0))
+        power.only_where(above)
     }
 
     /// Torrance and Sparrow's normal distribution of the angle.
@@ -91,7 +91,7 @@ impl<T: Real> Blinn1977<T> {
     pub fn d2(&self, alpha: T) -> T {
         let above = above(alpha, alpha.cos());
         let exponent = (self.c2 * alpha).squared().min(T::lit(1e4));
-        T::select(above, (-exponent).exp(), T::lit(0.0))
+        ((-exponent).exp()).only_where(above)
     }
 
     /// Trowbridge and Reitz's ellipsoids.
@@ -101,12 +101,12 @@ impl<T: Real> Blinn1977<T> {
         let (sin, cos) = alpha.sin_cos();
         // cos²α (c₃² − 1) + 1 without the difference.
         let sum = sin.squared() + self.c3_squared * cos.squared();
-        T::select(above(alpha, cos), (self.c3_squared / sum).squared(), T::lit(0.0))
+        ((self.c3_squared / sum).squared()).only_where(above(alpha, cos))
     }
 }
 
 /// Where an angle is below π/2, exactly, and not a turn beyond.
 #[inline(always)]
 fn above<T: Real>(alpha: T, cos: T) -> T::Mask {
-    cos.gt(T::lit(0.0)).and(alpha.abs().lt(T::lit(2.0)))
+    cos.gt(T::zero()).and(alpha.abs().lt(T::lit(2.0)))
 }

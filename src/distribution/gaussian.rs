@@ -53,11 +53,9 @@ impl<T: Real> Gaussian<T> {
     /// # Errors
     /// If `roughness` is not in 10⁻⁸ … 10⁴.
     pub fn new(roughness: T) -> Result<Self, ParameterError> {
-        ParameterError::check("roughness", range::ROUGHNESS, |lower, upper| {
-            roughness.outside(lower, upper)
-        })?;
+        range::ROUGHNESS.check("roughness", roughness)?;
         let (tilts, all) = Tilts::new(T::lit(FRAC_PI_2) / roughness);
-        let steepness = T::lit(1.0) / roughness.squared();
+        let steepness = T::one() / roughness.squared();
         Ok(Self { roughness, steepness, peak: T::lit(4.0 / (PI * PI * PI)) / all, tilts })
     }
 
@@ -76,15 +74,15 @@ lift! {
 impl<T: Real> Distribution<T> for Gaussian<T> {
     #[inline(always)]
     fn density(&self, h: T::Vec3) -> T {
-        let zero = T::lit(0.0);
+        let zero = T::zero();
         let above = h.z().gt(zero);
-        let (one, cos) = (T::lit(1.0), T::select(above, h.z(), T::lit(1.0)));
+        let (one, cos) = (T::one(), T::select(above, h.z(), T::one()));
         // 1 − cosα with all digits: from sin² near the normal, and near the horizon from the cosine
         // alone, which the rounding of the length of h does not reach there.
         let from_sine = (h.x().squared() + h.y().squared()) / (one + cos);
         let versine = T::select(cos.lt(T::lit(0.5)), one - cos, from_sine);
         let exponent = versine.min(one).angle_squared() * self.steepness;
-        T::select(above, self.peak * (-exponent).exp(), zero)
+        (self.peak * (-exponent).exp()).only_where(above)
     }
 
     #[inline(always)]
@@ -93,6 +91,6 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
         let (sin, cos) = (self.roughness * self.tilts.angle(u)).sin_cos();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
         // The number nearest to π/2 may lie above it.
-        Vector::new(sin * cos_phi, sin * sin_phi, cos.max(T::lit(0.0)))
+        Vector::new(sin * cos_phi, sin * sin_phi, cos.max(T::zero()))
     }
 }

@@ -69,7 +69,7 @@ lift! {
 impl<T: Real> Tilts<T> {
     /// For a given (π/2)/m. Also the integral over 0 … 1 before it is scaled to 1.
     pub(super) fn new(root: T) -> (Self, T) {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (zero, one) = (T::zero(), T::one());
         let exponent = root.squared();
         let narrow = exponent.gt(T::lit(NARROW));
 
@@ -99,7 +99,7 @@ impl<T: Real> Tilts<T> {
         for k in 0..TERMS {
             polynomial[k] = T::select(narrow, with_exponential[k], product[k]);
         }
-        let kept = T::select(narrow, one, zero);
+        let kept = one.only_where(narrow);
         let rate = kept * exponent;
         let end = evaluate(&polynomial, one);
         let front = T::select(narrow, first * inverse, end);
@@ -133,7 +133,7 @@ impl<T: Real> Tilts<T> {
     /// the square root for wide ones, which end at π/2 in a parabola.
     #[inline(always)]
     pub(super) fn angle(&self, u: T) -> T {
-        let (zero, one, two, tiny) = (T::lit(0.0), T::lit(1.0), T::lit(2.0), T::lit(1e-37));
+        let (zero, one, two, tiny) = (T::zero(), T::one(), T::lit(2.0), T::lit(1e-37));
         let exponent = self.exponent;
         // Beyond t = 49 lies less than 10⁻²¹ of the facets.
         let last = exponent.min(T::lit(49.0));
@@ -184,7 +184,7 @@ impl<T: Real> Tilts<T> {
 /// A polynomial, lowest power first.
 #[inline(always)]
 fn evaluate<T: Real>(coefficients: &[T; TERMS], s: T) -> T {
-    coefficients.iter().rev().fold(T::lit(0.0), |sum, &coefficient| sum * s + coefficient)
+    coefficients.iter().rev().fold(T::zero(), |sum, &coefficient| sum * s + coefficient)
 }
 
 #[cfg(test)]

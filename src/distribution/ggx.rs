@@ -79,7 +79,7 @@ impl<T: Real> Distribution<T> for Ggx<T> {
 
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
-        let zero = T::lit(0.0);
+        let zero = T::zero();
         let cos_squared = m.z().squared();
         // A vector taken for a unit vector needs this too: the fourth power would multiply the
         // rounding of its length. The bound keeps very long ones from dividing infinity by infinity.
@@ -89,14 +89,14 @@ impl<T: Real> Distribution<T> for Ggx<T> {
         let stretched = (self.roughness.tilt_squared(m) + cos_squared).max(least);
         let quotient = length_squared.min(T::max_finite()) / stretched;
         let density = (self.roughness.peak() * quotient.squared()).min(T::max_finite());
-        T::select(m.z().gt(zero), density, zero)
+        density.only_where(m.z().gt(zero))
     }
 
     #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let [u, turn] = uniform(u);
         // tan²θ = u₀/(1 − u₀) in the space of roughness 1: slope sinθ over cosθ.
-        let (sin, cos) = (u.sqrt(), (T::lit(1.0) - u).sqrt());
+        let (sin, cos) = (u.sqrt(), (T::one() - u).sqrt());
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
         self.roughness.unstretch(sin * cos_phi, sin * sin_phi, cos)
     }
@@ -105,7 +105,7 @@ impl<T: Real> Distribution<T> for Ggx<T> {
 impl<T: Real> Smith<T> for Ggx<T> {
     #[inline(always)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
-        let cos = w.z().max(T::lit(0.0));
+        let cos = w.z().max(T::zero());
         let spread_squared = self.roughness.spread_squared(w);
         // (√(cos² + s²) − cos)/2 without the difference. The sum is at least 10⁻⁸ for a direction;
         // its lower bound only keeps the zero vector from dividing 0 by 0.
@@ -121,7 +121,7 @@ impl<T: Real> Smith<T> for Ggx<T> {
 
     #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let ([turn, u], one) = (uniform(u), T::lit(1.0));
+        let ([turn, u], one) = (uniform(u), T::one());
         let s = self.roughness.stretch(wo);
         // The cap is 1 + s_z high. Both 1 − z and 1 + z of its uniform point are sums of positive
         // terms, so that 1 − z² keeps its digits near the poles.

@@ -42,16 +42,12 @@ impl<T: Real, D, const N: usize> Mixture<T, D, N> {
     /// If a weight is not in 0 … 10¹⁰ or the sum of the weights is not in 10⁻³⁰ … 10³⁰.
     pub fn new(components: [(T, D); N]) -> Result<Self, ParameterError> {
         let weights = components.each_ref().map(|(weight, _)| *weight);
-        let mut total = T::lit(0.0);
+        let mut total = T::zero();
         for weight in weights {
-            ParameterError::check("weight", range::WEIGHT, |lower, upper| {
-                weight.outside(lower, upper)
-            })?;
+            range::WEIGHT.check("weight", weight)?;
             total = total + weight;
         }
-        ParameterError::check("sum of weights", range::TOTAL_WEIGHT, |lower, upper| {
-            total.outside(lower, upper)
-        })?;
+        range::TOTAL_WEIGHT.check("sum of weights", total)?;
         Ok(Self {
             weights: weights.map(|weight| weight / total),
             distributions: components.map(|(_, distribution)| distribution),
@@ -73,7 +69,7 @@ impl<T: Real, D, const N: usize> Mixture<T, D, N> {
     /// Σ wᵢ `term`(Dᵢ).
     #[inline(always)]
     fn sum(&self, term: impl Fn(&D) -> T) -> T {
-        let mut sum = T::lit(0.0);
+        let mut sum = T::zero();
         for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
             sum = sum + weight * term(distribution);
         }
@@ -96,13 +92,13 @@ pub(crate) struct Choice<T: Real> {
 impl<T: Real> Choice<T> {
     #[inline(always)]
     pub(crate) fn new(u: [T; 2]) -> Self {
-        let zero = T::lit(0.0);
-        Self { u: uniform(u), start: zero, chosen: Vector::new(zero, zero, T::lit(1.0)) }
+        let zero = T::zero();
+        Self { u: uniform(u), start: zero, chosen: Vector::new(zero, zero, T::one()) }
     }
 
     #[inline(always)]
     pub(crate) fn offer(&mut self, probability: T, draw: impl FnOnce([T; 2]) -> T::Vec3) {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (zero, one) = (T::zero(), T::one());
         let place = (self.u[0] - self.start) / probability.max(T::lit(1e-37));
         let drawn = draw([place.clamp(zero, one), self.u[1]]);
         // A later distribution replaces an earlier one, so that rounding of the sum of
@@ -132,7 +128,7 @@ impl<T: Real> Visible<T> {
     /// For a mixture with the given [`Smith::lambda_cos`].
     #[inline(always)]
     pub(crate) fn new(wo: T::Vec3, lambda_cos: T) -> Self {
-        let cos = wo.z().max(T::lit(0.0));
+        let cos = wo.z().max(T::zero());
         Self { wo, cos, all: (cos + lambda_cos).max(T::lit(1e-37)) }
     }
 

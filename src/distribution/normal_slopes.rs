@@ -25,7 +25,7 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
     let sin_squared = s.x().squared() + s.y().squared();
     // Seen from the normal all slopes count alike, and there is no azimuth to turn them to.
     let tilted = sin_squared.gt(T::lit(1e-36));
-    let sin_squared = T::select(tilted, sin_squared, T::lit(1.0));
+    let sin_squared = T::select(tilted, sin_squared, T::one());
     let inverse_sin = sin_squared.rsqrt();
     let (cos_phi, sin_phi) = (s.x() * inverse_sin, s.y() * inverse_sin);
     // Both roots at once. One after the other would be waited for.
@@ -33,7 +33,7 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
     let inverse_length = length_squared.rsqrt();
     let (cos, sin) = (s.z() * inverse_length, sin_squared * inverse_sin * inverse_length);
     let along = visible_slope(cos, sin, length_squared * inverse_length * inverse_sin, u[0]);
-    let across = (u[1] * T::lit(2.0) - T::lit(1.0)).erf_inv();
+    let across = (u[1] * T::lit(2.0) - T::one()).erf_inv();
     let (x, y) = slopes(u);
     (
         T::select(tilted, along * cos_phi - across * sin_phi, x),
@@ -51,7 +51,7 @@ pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
 /// left is an error of C below 2·10⁻¹³ in `f64` and 4·10⁻⁷ in `f32`, relative to `u` (1 + 2x²).
 #[inline(always)]
 fn visible_slope<T: Real>(cos: T, sin: T, inverse_sin: T, u: T) -> T {
-    let one = T::lit(1.0);
+    let one = T::one();
     // Slope −∞ belongs to u = 0. Probability 10⁻³⁷ is what every number can represent.
     let u = u.max(T::lit(1e-37));
     // The largest slope, of u = 1, is approached: there C is flat.
@@ -94,7 +94,7 @@ impl<T: Real> Sought<T> {
     /// K is taken times exp(x²), which leaves one exponential and nothing that underflows.
     #[inline(always)]
     fn closer(&self, x: T) -> T {
-        let (zero, half, one) = (T::lit(0.0), T::lit(0.5), T::lit(1.0));
+        let (zero, half, one) = (T::zero(), T::lit(0.5), T::one());
         // The least `u` belongs to −9.23.
         let x = x.max(T::lit(-9.3));
         let facing = (self.cos - x * self.sin).max(T::lit(1e-20));
@@ -122,7 +122,7 @@ impl<T: Real> Sought<T> {
 /// inverse of the error function, to 0.01: x² from −ln(4a(1 − a)).
 #[inline(always)]
 fn first_guess<T: Real>(cos: T, sin: T, part: T) -> T {
-    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (zero, one) = (T::zero(), T::one());
     let both = cos + sin;
     let a = part / (both + (both.squared() - (part + part) * sin).max(zero).sqrt());
     let product = T::lit(4.0) * a * (one - a).max(T::lit(0.25 * T::SPACING));
@@ -151,7 +151,7 @@ mod tests {
                     let part = f64::from(j) / 200.0;
                     for u in [part, 1e-37_f64.powf(part), 1.0 - epsilon.powf(part)] {
                         let u = T::lit(u);
-                        let x = visible_slope(cos, sin, T::lit(1.0) / sin, u).into();
+                        let x = visible_slope(cos, sin, T::one() / sin, u).into();
                         let got = distribution_function(cos.into(), sin.into(), x);
                         let error = (got / u.into().max(1e-37) - 1.0).abs();
                         worst = worst.max(error / (1.0 + 2.0 * x * x));

@@ -34,7 +34,7 @@ impl<T: Real> Roughness<T> {
     }
 
     fn of(along: [T; 2]) -> Self {
-        let one = T::lit(1.0);
+        let one = T::one();
         let inverse = [one / along[0], one / along[1]];
         Self { along, inverse, peak: one / (T::lit(PI) * along[0] * along[1]) }
     }
@@ -85,5 +85,5 @@ impl<T: Real> Roughness<T> {
 }
 
 fn check<T: Real>(name: &'static str, value: T) -> Result<(), ParameterError> {
-    ParameterError::check(name, range::ROUGHNESS, |lower, upper| value.outside(lower, upper))
+    range::ROUGHNESS.check(name, value)
 }

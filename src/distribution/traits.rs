@@ -52,7 +52,7 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     /// that face `w` and those that face away, ∫ |w·h| D(h) dω.
     #[inline(always)]
     fn projected_area(&self, w: T::Vec3) -> T {
-        w.z().max(T::lit(0.0)) + T::lit(2.0) * self.lambda_cos(w)
+        w.z().max(T::zero()) + T::lit(2.0) * self.lambda_cos(w)
     }
 
     /// Draws `h` with the density of the normals visible from `wo`, G₁(wo) (wo·h) D(h) / (N·wo),

@@ -69,8 +69,8 @@ impl<C> Conductor<C> {
     where
         C: Color<T>,
     {
-        ParameterError::check("eta", range::ETA, |lower, upper| eta.outside(lower, upper))?;
-        ParameterError::check("k", range::K, |lower, upper| k.outside(lower, upper))?;
+        range::ETA.check("eta", eta)?;
+        range::K.check("k", k)?;
         Ok(Self { eta, k })
     }
 }
@@ -135,7 +135,7 @@ pub(super) struct Refraction<T: Real> {
 impl<T: Real> Refraction<T> {
     #[inline(always)]
     pub(super) fn new(eta: T, k: T, cos: T) -> Self {
-        let one = T::lit(1.0);
+        let one = T::one();
         let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
 
         // Real parts of N² − 1 and of q² = N² − s², by whichever of two equal forms cancels less:
@@ -156,7 +156,7 @@ impl<T: Real> Refraction<T> {
             modulus_squared,
             larger: (modulus_squared + x.abs()).sqrt(),
             product,
-            propagates: x.ge(T::lit(0.0)),
+            propagates: x.ge(T::zero()),
             contrast: contrast.squared() + y_squared,
         }
     }
@@ -189,19 +189,19 @@ impl<T: Real> Refraction<T> {
     /// times as large: one quotient is enough.
     #[inline(always)]
     pub(super) fn unpolarized(self) -> T {
-        let scale = T::select(self.propagates, T::lit(1.0), self.larger);
+        let scale = T::select(self.propagates, T::one(), self.larger);
         let root_of_two_a = T::select(self.propagates, self.larger, self.product);
         let twice_au = root_of_two_a * (self.cos * T::lit(SQRT_2));
         let (mean, cross) = self.parallel(twice_au, scale);
         let below = self.sum_squared(twice_au, scale).squared() * (mean + cross);
         // At most 1, but for rounding. In `f32` both may underflow where N = 1 but for k < 10⁻¹⁰
         // and u < k; this makes it the 1 of grazing.
-        (self.contrast * scale.squared() * mean / below).min(T::lit(1.0))
+        (self.contrast * scale.squared() * mean / below).min(T::one())
     }
 
     #[inline(always)]
     fn polarized(self) -> Polarized<T> {
-        let (one, (a, b)) = (T::lit(1.0), self.parts());
+        let (one, (a, b)) = (T::one(), self.parts());
         let twice_au = (a + a) * self.cos;
         let (mean, cross) = self.parallel(twice_au, one);
         let s = (self.contrast / self.sum_squared(twice_au, one).squared()).min(one);
@@ -217,10 +217,10 @@ impl<T: Real> Refraction<T> {
 /// For n < 1 and small k the reflectance has a kink near the critical angle. The integral is split
 /// there, and the nodes crowd there as squares.
 fn average<T: Real>(eta: T, k: T) -> T {
-    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (zero, one) = (T::zero(), T::one());
     let split_squared = ((one - eta) * (one + eta) + k * k).clamp(zero, one);
     let splits = split_squared.gt(zero);
-    let split = T::select(splits, T::select(splits, split_squared, one).sqrt(), zero);
+    let split = (T::select(splits, split_squared, one).sqrt()).only_where(splits);
     let rest = one - split;
     let weighted = |cos: T| Refraction::new(eta, k, cos).unpolarized() * cos;
     let integral = integrate(zero, one, |root| {

@@ -36,8 +36,7 @@ impl<C> Constant<C> {
     where
         C: Color<T>,
     {
-        let outside = |lower, upper| reflectance.outside(lower, upper);
-        ParameterError::check("reflectance", range::UNIT, outside)?;
+        range::UNIT.check("reflectance", reflectance)?;
         Ok(Self { reflectance: unsigned(reflectance) })
     }
 }

@@ -61,7 +61,7 @@ impl<C> Dielectric<C> {
     where
         C: Color<T>,
     {
-        ParameterError::check("ior", range::ETA, |lower, upper| ior.outside(lower, upper))?;
+        range::ETA.check("ior", ior)?;
         Ok(Self { ior })
     }
 }
@@ -122,7 +122,7 @@ struct Interface<T: Real> {
 impl<T: Real> Interface<T> {
     #[inline(always)]
     fn new(ior: T, cos_theta: T) -> Self {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (zero, one) = (T::zero(), T::one());
         let from_below = cos_theta.lt(zero);
         let cos = cos_theta.abs().min(one);
         let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
@@ -157,13 +157,13 @@ impl<T: Real> Interface<T> {
         let squares = self.cosines.squared() + self.sines.squared();
         let below = (self.sum_squared * (self.cosines + self.sines)).squared();
         // At most 1, but for rounding and in total reflection: there c² is less than 1 − η².
-        (self.difference.squared() * squares / below).min(T::lit(1.0))
+        (self.difference.squared() * squares / below).min(T::one())
     }
 
     #[inline(always)]
     fn polarized(self) -> Polarized<T> {
-        let s = (self.difference / self.sum_squared).squared().min(T::lit(1.0));
-        let cosines = T::select(self.total, T::lit(0.0), self.cosines);
+        let s = (self.difference / self.sum_squared).squared().min(T::one());
+        let cosines = T::select(self.total, T::zero(), self.cosines);
         let ratio = (cosines - self.sines) / (cosines + self.sines);
         Polarized { s, p: s * ratio.squared() }
     }
@@ -171,7 +171,7 @@ impl<T: Real> Interface<T> {
 
 /// 2 ∫₀¹ R μ dμ for one index.
 fn average<T: Real>(ior: T) -> T {
-    let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
+    let (zero, one, two) = (T::zero(), T::one(), T::lit(2.0));
     let inside = ior.lt(one);
     let n = T::select(inside, one / ior, ior);
     // r = (n − 1)/(n + 1) and 1 − r, both without cancellation; the same for n and 1/n.

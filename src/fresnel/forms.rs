@@ -32,7 +32,7 @@ use crate::real::Real;
 #[inline(always)]
 #[must_use]
 pub fn gc<T: Real>(ior: T, cos_theta: T) -> T {
-    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (zero, one) = (T::zero(), T::one());
     let c = incident_cosine(cos_theta);
     let g_squared = ior * ior + c * c - one;
     let total = g_squared.le(zero);
@@ -64,7 +64,7 @@ pub fn gc<T: Real>(ior: T, cos_theta: T) -> T {
 #[inline(always)]
 #[must_use]
 pub fn abu<T: Real>(eta: T, k: T, cos_theta: T) -> T {
-    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (zero, one) = (T::zero(), T::one());
     let u = incident_cosine(cos_theta);
     let (a, b) = ab(eta, k, u);
     let b_squared = b * b;

@@ -1,6 +1,6 @@
 use super::dielectric::Dielectric;
 use super::term::{Fresnel, average_over_cosine, incident_cosine};
-use crate::error::{ParameterError, range};
+use crate::error::{ParameterError, Range, range};
 use crate::real::{Color, Lift, Real, lift, unsigned};
 
 /// Hall's interpolation: the colour at normal incidence turns white towards grazing as the exact
@@ -70,7 +70,7 @@ impl<C, F> Hall<C, F> {
         C: Color<T>,
         F: Fresnel<T, Color = T>,
     {
-        ParameterError::check("f0", range::UNIT, |lower, upper| f0.outside(lower, upper))?;
+        range::UNIT.check("f0", f0)?;
         Ok(Self { f0, reference })
     }
 }
@@ -89,7 +89,7 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
 
     #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (zero, one) = (T::zero(), T::one());
         let normal = self.reference.reflectance(one);
         let rise = (self.reference.reflectance(incident_cosine(cos_theta)) - normal).max(zero);
         let room = one - normal;
@@ -99,12 +99,12 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
 
     fn average(&self) -> C {
         // At most 1, but for rounding.
-        average_over_cosine(|cos| self.reflectance(cos)).map(|average| average.min(T::lit(1.0)))
+        average_over_cosine(|cos| self.reflectance(cos)).map(|average| average.min(T::one()))
     }
 }
 
 /// Largest radiance of a light: its products with a reflectance stay far from overflow.
-const LIGHT: (f64, f64) = (0.0, 1e10);
+const LIGHT: Range = Range::new(0.0, 1e10);
 
 /// Cook and Torrance's interpolation: the colour of the reflected light turns from the colour at
 /// normal incidence into the colour of the light towards grazing.
@@ -172,7 +172,7 @@ impl<C, F> Cook<C, F> {
         F: Fresnel<T, Color = T>,
     {
         let reflectance = Hall::with_reference(f0, reference)?;
-        ParameterError::check("light", LIGHT, |lower, upper| light.outside(lower, upper))?;
+        LIGHT.check("light", light)?;
         Ok(Self { reflectance, light: unsigned(light) })
     }
 }

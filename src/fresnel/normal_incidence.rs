@@ -1,8 +1,8 @@
-use crate::error::ParameterError;
+use crate::error::{ParameterError, Range};
 use crate::real::Real;
 
 /// The largest reflectance that still has an index within the range of the models.
-const INVERTIBLE: (f64, f64) = (0.0, 0.9996);
+const INVERTIBLE: Range = Range::new(0.0, 0.9996);
 
 /// Reflectance at normal incidence of a medium of complex relative index `eta` + i `k`,
 ///
@@ -19,7 +19,7 @@ const INVERTIBLE: (f64, f64) = (0.0, 0.9996);
 #[inline(always)]
 #[must_use]
 pub fn normal_incidence<T: Real>(eta: T, k: T) -> T {
-    let one = T::lit(1.0);
+    let one = T::one();
     let k_squared = k * k;
     ((eta - one).squared() + k_squared) / ((eta + one).squared() + k_squared)
 }
@@ -44,8 +44,8 @@ pub fn normal_incidence<T: Real>(eta: T, k: T) -> T {
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
 pub fn index_from_normal_incidence<T: Real>(r0: T) -> Result<T, ParameterError> {
-    ParameterError::check("r0", INVERTIBLE, |lower, upper| r0.outside(lower, upper))?;
-    let one = T::lit(1.0);
+    INVERTIBLE.check("r0", r0)?;
+    let one = T::one();
     // 1 − √R₀ = (1 − R₀)/(1 + √R₀) keeps its digits for R₀ near 1.
     Ok((one + r0.sqrt()).squared() / (one - r0))
 }

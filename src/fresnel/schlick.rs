@@ -53,7 +53,7 @@ impl<C> Schlick<C> {
     where
         C: Color<T>,
     {
-        ParameterError::check("f0", range::UNIT, |lower, upper| f0.outside(lower, upper))?;
+        range::UNIT.check("f0", f0)?;
         Ok(Self { f0 })
     }
 }
@@ -68,7 +68,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Schlick<C> {
 
     #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
-        let one = T::lit(1.0);
+        let one = T::one();
         let versine = one - incident_cosine(cos_theta);
         let weight = versine.squared().squared() * versine;
         self.f0.map(|f0| f0 + (one - f0) * weight)
@@ -76,7 +76,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Schlick<C> {
 
     #[inline(always)]
     fn average(&self) -> C {
-        let one = T::lit(1.0);
+        let one = T::one();
         self.f0.map(|f0| f0 + (one - f0) * T::lit(1.0 / 21.0))
     }
 }

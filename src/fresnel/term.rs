@@ -92,7 +92,7 @@ forward!(&F);
 /// 2 ∫₀¹ F(μ) μ dμ by quadrature over √μ.
 #[inline(always)]
 pub(super) fn average_over_cosine<T: Real, C: Color<T>>(reflectance: impl Fn(T) -> C) -> C {
-    integrate(T::lit(0.0), T::lit(1.0), |root| {
+    integrate(T::zero(), T::one(), |root| {
         let cos = root * root;
         reflectance(cos) * (cos * root * T::lit(4.0))
     })
@@ -102,5 +102,5 @@ pub(super) fn average_over_cosine<T: Real, C: Color<T>>(reflectance: impl Fn(T) 
 /// product may have made it larger.
 #[inline(always)]
 pub(super) fn incident_cosine<T: Real>(cos_theta: T) -> T {
-    cos_theta.abs().min(T::lit(1.0))
+    cos_theta.abs().min(T::one())
 }

@@ -4,7 +4,7 @@ use super::cosine_power::power_of_cosine;
 use super::lobe::check_lobe;
 use super::mirror::unit_viewer;
 use crate::brdf::{Brdf, Sample};
-use crate::direction::{above_surface, reflect};
+use crate::direction::{above_surface, both_above, reflect};
 use crate::error::ParameterError;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector, lift};
@@ -89,7 +89,7 @@ impl<C, T> BlinnPhong<C, T> {
         C: Color<T>,
     {
         let specular = check_lobe(specular, exponent)?;
-        Ok(Self { specular, exponent, constant: T::lit(1.0) })
+        Ok(Self { specular, exponent, constant: T::one() })
     }
 }
 
@@ -103,20 +103,20 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
+        let above = both_above::<T>(wi, wo);
         let value = self.constant * Halfway::<T>::new(wi, wo).power(self.exponent);
-        C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
+        (self.specular * value).only_where(above)
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
+        let above = both_above::<T>(wi, wo);
         self.pdf_of(above, &Halfway::new(wi, wo))
     }
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
+        let (zero, one, two) = (T::zero(), T::one(), T::lit(2.0));
         let [u, turn] = uniform(u);
         let versine = -((-u).ln_1p() / (self.exponent + two)).exp_m1();
         let sin = (versine * (two - versine)).max(zero).sqrt();
@@ -127,7 +127,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
         let wi = reflect(viewer, h);
         // Half vectors that the viewer sees from behind give no direction.
         let cos_d = Vector::dot(viewer, h);
-        let drawn = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)).and(cos_d.gt(zero));
+        let drawn = both_above::<T>(wi, wo).and(cos_d.gt(zero));
         // f cosθᵢ / pdf, where N·L < |wi + wo|·(N·H) makes the quotient by N·H harmless. All from
         // the rounded direction, as in `eval` and `pdf`: at grazing the V·H of the drawn half
         // vector is a small difference.
@@ -140,7 +140,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
     }
 
     fn albedo(&self, wo: T::Vec3) -> C {
-        let (zero, half, one, pi) = (T::lit(0.0), T::lit(0.5), T::lit(1.0), T::lit(PI));
+        let (zero, half, one, pi) = (T::zero(), T::lit(0.5), T::one(), T::lit(PI));
         let w = unit_viewer::<T>(wo);
         let cos = w.z();
         let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
@@ -187,9 +187,9 @@ impl<T: Real, C> BlinnPhong<C, T> {
     fn pdf_of(&self, above: T::Mask, halfway: &Halfway<T>) -> T {
         // (n + 2)/(8π) (N·H)ⁿ (N·H)/(V·H), where V·H is half the length of wi + wo.
         let density = (self.exponent + T::lit(2.0)) * T::lit(0.25 * FRAC_1_PI);
-        let whole = T::select(above, halfway.whole(), T::lit(1.0));
+        let whole = T::select(above, halfway.whole(), T::one());
         let value = density * halfway.power(self.exponent) * (halfway.height / whole);
-        T::select(above, value.min(T::max_finite()), T::lit(0.0))
+        value.min(T::max_finite()).only_where(above)
     }
 }
 

@@ -4,9 +4,9 @@ use super::cosine_power::{power_of_versine, quarter_turn};
 use super::lobe::check_lobe;
 use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
-use crate::direction::above_surface;
+use crate::direction::{above_surface, both_above};
 use crate::error::ParameterError;
-use crate::real::{Color, Mask, Real, Vector, lift};
+use crate::real::{Color, Real, Vector, lift};
 use crate::sampling::uniform;
 
 /// Phong's highlight as printed in 1975, for pictures that must match it.
@@ -73,37 +73,37 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
-        let cos = T::select(above, wi.z(), T::lit(1.0));
+        let above = both_above::<T>(wi, wo);
+        let cos = T::select(above, wi.z(), T::one());
         let power = power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
         let value = (power / cos).min(T::max_finite());
-        C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
+        (self.specular * value).only_where(above)
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
-        let constant = (self.exponent + T::lit(1.0)) * T::lit(0.5 * FRAC_1_PI);
+        let above = both_above::<T>(wi, wo);
+        let constant = (self.exponent + T::one()) * T::lit(0.5 * FRAC_1_PI);
         let value = constant * power_of_versine(mirror_versine::<T>(wi, wo), self.exponent);
-        T::select(above, value, T::lit(0.0))
+        value.only_where(above)
     }
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let [u, turn] = uniform(u);
         let wi = around_mirror::<T>(wo, sample_power(self.exponent, u), turn);
-        let weight = self.specular * (T::lit(TAU) / (self.exponent + T::lit(1.0)));
+        let weight = self.specular * (T::lit(TAU) / (self.exponent + T::one()));
         let pdf = self.pdf(wi, wo);
-        Sample { wi, weight, pdf }.only_where(pdf.gt(T::lit(0.0)))
+        Sample { wi, weight, pdf }.only_where(pdf.gt(T::zero()))
     }
 
     #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
-        let one = T::lit(1.0);
+        let one = T::one();
         let w = unit_viewer::<T>(wo);
         let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
         let (within, _) = quarter_turn(self.exponent, w.z(), sin);
         let albedo = self.specular * (T::lit(PI) / (self.exponent + one) * (one + within));
-        C::choose(above_surface::<T, _>(wo), albedo, C::splat(T::lit(0.0)))
+        C::choose(above_surface::<T, _>(wo), albedo, C::splat(T::zero()))
     }
 }

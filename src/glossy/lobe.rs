@@ -8,9 +8,7 @@ pub(super) fn check_lobe<T: Real, C: Color<T>>(
     specular: C,
     exponent: T,
 ) -> Result<C, ParameterError> {
-    ParameterError::check("specular", range::UNIT, |lower, upper| specular.outside(lower, upper))?;
-    ParameterError::check("exponent", range::EXPONENT, |lower, upper| {
-        exponent.outside(lower, upper)
-    })?;
+    range::UNIT.check("specular", specular)?;
+    range::EXPONENT.check("exponent", exponent)?;
     Ok(unsigned(specular))
 }

@@ -28,12 +28,12 @@ pub(super) fn unit_viewer<T: Real>(wo: T::Vec3) -> T::Vec3 {
 pub(super) fn around_mirror<T: Real>(wo: T::Vec3, versine: T, turn: T) -> T::Vec3 {
     let viewer = unit_viewer::<T>(wo);
     let mirror = <T::Vec3 as Vector<T>>::new(-viewer.x(), -viewer.y(), viewer.z());
-    let sin = (versine * (T::lit(2.0) - versine)).max(T::lit(0.0)).sqrt();
+    let sin = (versine * (T::lit(2.0) - versine)).max(T::zero()).sqrt();
     let (sin_phi, cos_phi) = turn.sin_cos_turns();
     Frame::from_normal(mirror).to_world(Vector::new(
         sin * cos_phi,
         sin * sin_phi,
-        T::lit(1.0) - versine,
+        T::one() - versine,
     ))
 }
 
@@ -41,7 +41,7 @@ pub(super) fn around_mirror<T: Real>(wo: T::Vec3, versine: T, turn: T) -> T::Vec
 /// direction of a viewer at (`sin_o`, `cos_o`); the angle no larger than a right one.
 #[inline(always)]
 pub(super) fn mean_cosine<T: Real>(sin_o: T, cos_o: T, versine: T) -> T {
-    let (zero, one) = (T::lit(0.0), T::lit(1.0));
+    let (zero, one) = (T::zero(), T::one());
     let center = cos_o * (one - versine);
     let swing = sin_o * (versine * (T::lit(2.0) - versine)).max(zero).sqrt();
     // A circle around the mirror direction lies above the surface as a whole, or is cut.
@@ -54,5 +54,5 @@ pub(super) fn mean_cosine<T: Real>(sin_o: T, cos_o: T, versine: T) -> T {
 /// 1 − cos of an angle drawn with density (n + 1)/(2π) cosⁿ per steradian.
 #[inline(always)]
 pub(super) fn sample_power<T: Real>(exponent: T, u: T) -> T {
-    -((-u).ln_1p() / (exponent + T::lit(1.0))).exp_m1()
+    -((-u).ln_1p() / (exponent + T::one())).exp_m1()
 }

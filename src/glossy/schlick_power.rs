@@ -3,7 +3,7 @@ use core::f64::consts::{FRAC_1_PI, TAU};
 use super::lobe::check_lobe;
 use super::mirror::{around_mirror, mean_cosine, mirror_versine, unit_viewer};
 use crate::brdf::{Brdf, Sample};
-use crate::direction::above_surface;
+use crate::direction::{above_surface, both_above};
 use crate::error::ParameterError;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector, lift};
@@ -68,7 +68,7 @@ impl<C, T> SchlickPower<C, T> {
         C: Color<T>,
     {
         let lobe = Self::unnormalized(specular, exponent)?;
-        let one = T::lit(1.0);
+        let one = T::one();
         let (y, excess) = artanh_excess(exponent);
         let twice_integral = (one + (one + y).squared() * excess) / (exponent + one);
         Ok(Self { constant: T::lit(FRAC_1_PI) / twice_integral, ..lobe })
@@ -84,22 +84,22 @@ impl<C, T> SchlickPower<C, T> {
         C: Color<T>,
     {
         let specular = check_lobe(specular, exponent)?;
-        Ok(Self { specular, exponent, constant: T::lit(1.0) })
+        Ok(Self { specular, exponent, constant: T::one() })
     }
 }
 
 /// y = (h − 1)/(h + 1) and (artanh y − y)/y³, where artanh y = ½ ln h.
 #[inline(always)]
 fn artanh_excess<T: Real>(h: T) -> (T, T) {
-    let one = T::lit(1.0);
+    let one = T::one();
     let y = (h - one) / (h + one);
     let y_squared = y * y;
     // The series to the last digit for |y| < ½, the difference beyond, where it keeps its digits.
     let small = y.abs().lt(T::lit(0.5));
-    let reduced = T::select(small, y_squared, T::lit(0.0));
+    let reduced = y_squared.only_where(small);
     let series = (0..26)
         .rev()
-        .fold(T::lit(0.0), |sum, term| sum * reduced + T::lit(1.0 / f64::from(2 * term + 3)));
+        .fold(T::zero(), |sum, term| sum * reduced + T::lit(1.0 / f64::from(2 * term + 3)));
     let y_large = T::select(small, one, y);
     // At h = 0 the logarithm meets a factor (1 + y)² = 0.
     let artanh = T::select(small, one, h.max(T::lit(1e-30))).ln() * T::lit(0.5);
@@ -111,7 +111,7 @@ impl<T: Real, C> SchlickPower<C, T> {
     /// of equal density, which then serves.
     #[inline(always)]
     fn sampled_exponent(&self) -> T {
-        self.exponent.max(T::lit(1.0))
+        self.exponent.max(T::one())
     }
 
     /// ln h/(h − 1) of the sampled exponent: ∫₀¹ dS/(h − hS + S).
@@ -119,31 +119,31 @@ impl<T: Real, C> SchlickPower<C, T> {
     fn sampled_integral(&self) -> T {
         let h = self.sampled_exponent();
         let (y, excess) = artanh_excess(h);
-        T::lit(2.0) / (h + T::lit(1.0)) * (T::lit(1.0) + y * y * excess)
+        T::lit(2.0) / (h + T::one()) * (T::one() + y * y * excess)
     }
 
     /// 1/(h − hS + S) of the sampled exponent, from 1 − S.
     #[inline(always)]
     fn sampled_shape(&self, versine: T) -> T {
-        let one = T::lit(1.0);
+        let one = T::one();
         one / (one + (self.sampled_exponent() - one) * versine)
     }
 
     /// 1 − S = (hᵘ − 1)/(h − 1) of the sampled exponent, which is u for h = 1.
     #[inline(always)]
     fn sampled_versine(&self, u: T) -> T {
-        let growth = self.sampled_exponent() - T::lit(1.0);
-        let grows = growth.gt(T::lit(0.0));
-        let growth = T::select(grows, growth, T::lit(1.0));
+        let growth = self.sampled_exponent() - T::one();
+        let grows = growth.gt(T::zero());
+        let growth = T::select(grows, growth, T::one());
         T::select(grows, (u * growth.ln_1p()).exp_m1() / growth, u)
     }
 
     /// The u for which [`sampled_versine`](Self::sampled_versine) answers this.
     #[inline(always)]
     fn uniform_of_versine(&self, versine: T) -> T {
-        let growth = self.sampled_exponent() - T::lit(1.0);
-        let grows = growth.gt(T::lit(0.0));
-        let growth = T::select(grows, growth, T::lit(1.0));
+        let growth = self.sampled_exponent() - T::one();
+        let grows = growth.gt(T::zero());
+        let growth = T::select(grows, growth, T::one());
         T::select(grows, (growth * versine).ln_1p() / growth.ln_1p(), versine)
     }
 
@@ -157,11 +157,11 @@ impl<T: Real, C> SchlickPower<C, T> {
     /// S/(h − hS + S) from 1 − S; zero for S ≤ 0.
     #[inline(always)]
     fn shape(&self, versine: T) -> T {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let one = T::one();
         let positive = versine.lt(one);
-        let versine = T::select(positive, versine, zero);
+        let versine = versine.only_where(positive);
         let cos = one - versine;
-        T::select(positive, cos / (self.exponent * versine + cos), zero)
+        (cos / (self.exponent * versine + cos)).only_where(positive)
     }
 }
 
@@ -175,19 +175,18 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = above_surface::<T, _>(wi).and(above_surface::<T, _>(wo));
+        let above = both_above::<T>(wi, wo);
         let value = self.constant * self.shape(mirror_versine::<T>(wi, wo));
-        C::choose(above, self.specular * value, C::splat(T::lit(0.0)))
+        (self.specular * value).only_where(above)
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let versine = mirror_versine::<T>(wi, wo);
-        let inside =
-            above_surface::<T, _>(wi).and(above_surface::<T, _>(wo)).and(versine.lt(T::lit(1.0)));
-        let versine = T::select(inside, versine, T::lit(0.0));
+        let inside = both_above::<T>(wi, wo).and(versine.lt(T::one()));
+        let versine = versine.only_where(inside);
         let density = self.sampled_shape(versine) / (T::lit(TAU) * self.sampled_integral());
-        T::select(inside, density, T::lit(0.0))
+        density.only_where(inside)
     }
 
     #[inline(always)]
@@ -199,11 +198,11 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
         // S is close to zero and its relative error large.
         let versine = mirror_versine::<T>(wi, wo);
         Sample { wi, weight: self.specular * self.weight(versine, wi.z()), pdf }
-            .only_where(pdf.gt(T::lit(0.0)))
+            .only_where(pdf.gt(T::zero()))
     }
 
     fn albedo(&self, wo: T::Vec3) -> C {
-        let (zero, one) = (T::lit(0.0), T::lit(1.0));
+        let (zero, one) = (T::zero(), T::one());
         let w = unit_viewer::<T>(wo);
         let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
         let mean_weight = |u: T| {

@@ -4,7 +4,7 @@ use core::fmt;
 use core::ops::RangeInclusive;
 
 use super::samples::{RefractiveIndex, Sample, Samples};
-use crate::error::ParameterError;
+use crate::error::{ParameterError, Range};
 use crate::fresnel::{Conductor, Dielectric};
 use crate::real::{Color, Real};
 
@@ -161,9 +161,8 @@ impl Material {
         T: Real + Into<f64>,
         C: Color<T>,
     {
-        ParameterError::check("wavelength", self.samples.range(), |lower, upper| {
-            wavelength.outside(lower, upper)
-        })?;
+        let (shortest, longest) = self.samples.range();
+        Range::new(shortest, longest).check("wavelength", wavelength)?;
         let at = |wavelength: T| self.samples.interpolate(wavelength.into());
         Ok(RefractiveIndex {
             eta: wavelength.map(|wavelength| T::lit(at(wavelength).eta)),
@@ -210,7 +209,7 @@ impl Material {
         C: Color<T>,
     {
         let RefractiveIndex { eta, k } = self.refractive_index(wavelength)?;
-        ParameterError::check("k", (0.0, 1e-3), |lower, upper| k.outside(lower, upper))?;
+        Range::new(0.0, 1e-3).check("k", k)?;
         Dielectric::new(eta)
     }
 }

@@ -44,7 +44,7 @@ pub(super) struct MirroredBlock<T> {
 impl<T: Real> MirroredBlock<T> {
     #[inline(always)]
     pub(super) fn new() -> Self {
-        Self { cos: [T::lit(0.0); BLOCK], scale: [T::lit(0.0); BLOCK] }
+        Self { cos: [T::zero(); BLOCK], scale: [T::zero(); BLOCK] }
     }
 
     #[inline(always)]
@@ -114,7 +114,7 @@ impl<D, S> Facets<'_, D, S> {
                 let visibility = self.shadowing.visibility(self.distribution, &pair);
                 let value =
                     (self.distribution.density_along(pair.sum) * visibility).min(T::max_finite());
-                Mirrored { cos: cos_d(&pair), scale: T::select(pair.above, value, T::lit(0.0)) }
+                Mirrored { cos: cos_d(&pair), scale: value.only_where(pair.above) }
             },
         )
     }
@@ -129,7 +129,7 @@ impl<D, S> Facets<'_, D, S> {
             #[inline(always)]
             || {
                 let pair = Pair::new(wi, wo);
-                T::select(pair.above, self.density(&pair), T::lit(0.0))
+                self.density(&pair).only_where(pair.above)
             },
         )
     }
@@ -163,7 +163,7 @@ impl<D, S> Facets<'_, D, S> {
         D: Distribution<T>,
         S: Shadowing<T, D>,
     {
-        let (zero, above) = (T::lit(0.0), above_surface::<T, _>(wo));
+        let above = above_surface::<T, _>(wo);
         let wo = above_or_normal::<T, _>(wo);
         let wi = reflect(wo, h);
         // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
@@ -171,8 +171,8 @@ impl<D, S> Facets<'_, D, S> {
         let unshadowed = self.shadowing.unshadowed(self.distribution, &pair);
         Draw {
             wi,
-            pdf: T::select(pair.above, self.density(&pair), zero),
-            weight: Mirrored { cos: cos_d(&pair), scale: T::select(pair.above, unshadowed, zero) },
+            pdf: self.density(&pair).only_where(pair.above),
+            weight: Mirrored { cos: cos_d(&pair), scale: unshadowed.only_where(pair.above) },
         }
     }
 
@@ -275,5 +275,5 @@ impl<D, S> Facets<'_, D, S> {
 /// directions' lengths.
 #[inline(always)]
 fn cos_d<T: Real>(pair: &Pair<T>) -> T {
-    pair.cos_d.min(T::lit(1.0))
+    pair.cos_d.min(T::one())
 }

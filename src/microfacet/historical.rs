@@ -6,7 +6,7 @@ use super::cook_torrance::CookTorrance;
 use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
 use crate::brdf::{Brdf, Sample};
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx};
-use crate::error::ParameterError;
+use crate::error::{ParameterError, Range};
 use crate::fresnel::Fresnel;
 use crate::real::{Color, Lift, Real, Vector, lift};
 
@@ -34,7 +34,7 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     pub fn torrance_sparrow_1967(c: T, fresnel: F) -> Result<Self, ParameterError> {
-        ParameterError::check("c", (1e-5, 1e5), |lower, upper| c.outside(lower, upper))?;
+        Range::new(1e-5, 1e5).check("c", c)?;
         Ok(Self::new(Gaussian::new(T::lit(PI / 180.0) / c)?, fresnel))
     }
 }
@@ -189,7 +189,7 @@ impl<F, T: Real> Blinn1977Printed<Gaussian<T>, F, T> {
     /// # Errors
     /// If 1/c₂ is outside the range of [`Gaussian`]'s roughness.
     pub fn d2(distribution: Blinn1977<T>, fresnel: F) -> Result<Self, ParameterError> {
-        Ok(Self::of(Gaussian::new(T::lit(1.0) / distribution.c2())?, fresnel))
+        Ok(Self::of(Gaussian::new(T::one() / distribution.c2())?, fresnel))
     }
 }
 
@@ -209,7 +209,7 @@ where
     D: Distribution<T>,
 {
     fn of(distribution: D, fresnel: F) -> Self {
-        let normal = Vector::new(T::lit(0.0), T::lit(0.0), T::lit(1.0));
+        let normal = Vector::new(T::zero(), T::zero(), T::one());
         let scale = T::lit(4.0) / distribution.density(normal);
         Self { model: CookTorrance::new(distribution, fresnel), scale }
     }
@@ -233,7 +233,7 @@ where
         F: Fresnel<T>,
     {
         // The BRDF is zero where the clamp takes part.
-        self.eval(wi, wo) * wi.z().clamp(T::lit(0.0), T::lit(1.0))
+        self.eval(wi, wo) * wi.z().clamp(T::zero(), T::one())
     }
 }
 

@@ -85,7 +85,7 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
         let [area_i, area_o] = areas(distribution, pair);
         let seen = pair.cos_o * area_i + pair.cos_i * area_o;
         // At most 1, but for rounding.
-        (pair.cos_i * (pair.cos_o + area_o) / seen).min(T::lit(1.0))
+        (pair.cos_i * (pair.cos_o + area_o) / seen).min(T::one())
     }
 
     #[inline(always)]
@@ -99,7 +99,7 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
         let [area_i, area_o] = areas(distribution, pair);
         let seen_twice = (pair.cos_i + area_i, pair.cos_o + area_o);
-        (T::lit(1.0) / (seen_twice.0 * seen_twice.1)).min(T::max_finite())
+        (T::one() / (seen_twice.0 * seen_twice.1)).min(T::max_finite())
     }
 
     #[inline(always)]
@@ -111,7 +111,7 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
     fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
         // At most 1, but for rounding.
         let seen_twice = pair.cos_i + distribution.projected_area(pair.wi);
-        (T::lit(2.0) * pair.cos_i / seen_twice).min(T::lit(1.0))
+        (T::lit(2.0) * pair.cos_i / seen_twice).min(T::one())
     }
 
     #[inline(always)]

@@ -76,13 +76,13 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
     fn unshadowed(&self, _: &D, pair: &Pair<T>) -> T {
         let masked = (pair.cos_o * pair.cos_h).max(half_cos_d(pair));
         let shadowed = (pair.cos_i * pair.cos_h).max(half_cos_d(pair));
-        (pair.cos_i / pair.cos_o * (masked / shadowed)).min(T::lit(1.0))
+        (pair.cos_i / pair.cos_o * (masked / shadowed)).min(T::one())
     }
 
     #[inline(always)]
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let wo = above_or_normal::<T, _>(wo);
-        let ([tilt, place], zero, one) = (uniform(u), T::lit(0.0), T::lit(1.0));
+        let ([tilt, place], one) = (uniform(u), T::one());
         // All facets of this tilt: (x cosψ, y sinψ, z), of which one eighth of a turn shows both
         // x/√2 and y/√2.
         let facet = distribution.sample([tilt, T::lit(0.125)]);
@@ -95,8 +95,8 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
         let tilted = r.gt(T::lit(1e-18));
         let inverse = one / T::select(tilted, r, one);
         let cos_0 = T::select(tilted, r_cos * inverse, one);
-        let sin_0 = T::select(tilted, r_sin * inverse, zero);
-        let k = T::select(tilted, r / (z * wo.z()), zero);
+        let sin_0 = (r_sin * inverse).only_where(tilted);
+        let k = (r / (z * wo.z())).only_where(tilted);
         let (cos, sin) = visible_azimuth(k, place);
         let facet: T::Vec3 =
             Vector::new(x * (cos_0 * cos - sin_0 * sin), y * (sin_0 * cos + cos_0 * sin), z);
@@ -114,7 +114,7 @@ fn half_cos_d<T: Real>(pair: &Pair<T>) -> T {
 /// opposite facets with areas (1 ± K cosφ)₊ one is chosen in proportion to the areas.
 #[inline(always)]
 fn visible_azimuth<T: Real>(k: T, u: T) -> (T, T) {
-    let (zero, one, two) = (T::lit(0.0), T::lit(1.0), T::lit(2.0));
+    let (zero, one, two) = (T::zero(), T::one(), T::lit(2.0));
     let (quarter_turn, half_turn) = (T::lit(FRAC_PI_2), T::lit(PI));
     // The end of K: beyond it the azimuths that see both facets have a probability below 10⁻¹⁵,
     // and K² would leave the range of single precision.

@@ -95,12 +95,33 @@ pub trait Real:
     /// The nearest number to a literal.
     #[must_use]
     fn lit(value: f64) -> Self;
+    /// 0.
+    #[must_use]
+    #[inline(always)]
+    #[track_caller]
+    fn zero() -> Self {
+        Self::lit(0.0)
+    }
+    /// 1.
+    #[must_use]
+    #[inline(always)]
+    #[track_caller]
+    fn one() -> Self {
+        Self::lit(1.0)
+    }
     /// The largest finite number. Values too large to represent saturate here.
     #[must_use]
     fn max_finite() -> Self;
     /// `yes` where the mask is true, `no` elsewhere.
     #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+    /// This number where the mask is true, zero elsewhere.
+    #[must_use]
+    #[inline(always)]
+    #[track_caller]
+    fn only_where(self, mask: Self::Mask) -> Self {
+        Self::select(mask, self, Self::zero())
+    }
     /// A value of this number that does not lie in `lower..=upper` (NaN never does), if there is
     /// one. Constructors validate with it; a symbol has no value and answers `None`.
     #[must_use]
@@ -151,7 +172,7 @@ pub trait Real:
     /// processor is done sooner than with one root and one division.
     #[must_use]
     fn rsqrt(self) -> Self {
-        Self::lit(1.0) / self.sqrt()
+        Self::one() / self.sqrt()
     }
 
     /// eˣ.
@@ -186,7 +207,7 @@ pub trait Real:
     /// ```
     #[must_use]
     fn power_of_part(self, rest: Self, exponent: Self) -> Self {
-        let (zero, one, whole) = (Self::lit(0.0), Self::lit(1.0), self + rest);
+        let (zero, one, whole) = (Self::zero(), Self::one(), self + rest);
         let near = rest.lt(self);
         let logarithm = Self::select(
             near,
@@ -262,7 +283,7 @@ pub trait Real:
     /// `self` to a whole power, by repeated squaring.
     #[must_use]
     fn powi(self, exponent: u32) -> Self {
-        let (mut result, mut square, mut rest) = (Self::lit(1.0), self, exponent);
+        let (mut result, mut square, mut rest) = (Self::one(), self, exponent);
         while rest > 0 {
             if rest & 1 == 1 {
                 result = result * square;
@@ -323,8 +344,8 @@ pub trait Vector<T: Real>:
     fn normalize_or_normal(self) -> Self {
         let length_squared = Vector::length_squared(self);
         let usable = length_squared.gt(T::lit(1e-37));
-        let scale = T::lit(1.0) / T::select(usable, length_squared, T::lit(1.0)).sqrt();
-        Self::select(usable, self * scale, Self::new(T::lit(0.0), T::lit(0.0), T::lit(1.0)))
+        let scale = T::one() / T::select(usable, length_squared, T::one()).sqrt();
+        Self::select(usable, self * scale, Self::new(T::zero(), T::zero(), T::one()))
     }
     /// `yes` where the mask is true, `no` elsewhere.
     #[must_use]
@@ -372,13 +393,20 @@ pub trait Color<T: Real>:
     #[must_use]
     fn mean(self) -> T {
         let (sum, count) =
-            self.fold((T::lit(0.0), 0.0), |(sum, count), value| (sum + value, count + 1.0));
+            self.fold((T::zero(), 0.0), |(sum, count), value| (sum + value, count + 1.0));
         sum * T::lit(1.0 / count)
     }
     /// `yes` where the mask is true, `no` elsewhere, in every channel.
     #[must_use]
     fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
         yes.zip(no, |yes, no| T::select(mask, yes, no))
+    }
+    /// This colour where the mask is true, black elsewhere.
+    #[must_use]
+    #[inline(always)]
+    #[track_caller]
+    fn only_where(self, mask: T::Mask) -> Self {
+        Self::choose(mask, self, Self::splat(T::zero()))
     }
     /// A channel value that does not lie in `lower..=upper`, if there is one.
     #[must_use]

@@ -6,5 +6,5 @@ use super::traits::{Color, Real};
 /// it has a sign. All other values keep their bits.
 #[inline(always)]
 pub(crate) fn unsigned<T: Real, C: Color<T>>(color: C) -> C {
-    color.map(|value| value + T::lit(0.0))
+    color.map(|value| value + T::zero())
 }

@@ -99,7 +99,7 @@ pub(super) static MUTANTS: [Mutant; 39] = [
     Mutant::new("Smith", "the larger of the two areas, not the sum", SMITH,
         "(T::lit(0.5) / ▸(pair.cos_o * area_i + pair.cos_i * area_o))", Add, |left, right, _| left.max(right)),
     Mutant::new("Cook–Torrance", "Fresnel's term at the angle between L and V", FACETS,
-        "    pair.cos_d.▸min(T::lit(1.0))", Min,
+        "    pair.cos_d.▸min(T::one())", Min,
         |left, _, _| (2.0 * left * left - 1.0).abs()),
     Mutant::new("Cook–Torrance", "π for the 4 by which the print of 1982 is too bright", HISTORICAL,
         "scaled(self.model.eval(wi, wo), ▸T::lit(4.0))", Literal, |_, _, _| PI),
