@@ -8,8 +8,8 @@ mod models;
 
 use std::hint::black_box;
 
-use brdf::description::{AnyBrdf, BrdfDescription};
-use brdf::{Conductor, CookTorrance, Ggx, SmithCorrelated};
+use brdf::description::BrdfDescription;
+use brdf::{Brdf, Conductor, CookTorrance, Ggx, SmithCorrelated};
 use common::{COUNT, pairs, pairs_f32, uniforms};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
@@ -71,14 +71,15 @@ fn described(criterion: &mut Criterion) {
         .expect("gold is in range");
     let distribution = Ggx::new(0.3_f32).expect("in range");
     let gold = CookTorrance::new(distribution, conductor).with_shadowing(SmithCorrelated);
-    let written: AnyBrdf<f32> = Box::new(gold);
     let description: BrdfDescription = serde_json::from_str(GOLD).expect("a description");
     let described = description.build::<f32>().expect("in range");
     let pairs = pairs_f32();
     let mut group = criterion.benchmark_group("f32/GGX on gold, eval");
     group.throughput(Throughput::Elements(COUNT as u64));
-    for (name, model) in [("written", written), ("described", described)] {
-        let model = black_box(&model);
+    let models: [(&str, &dyn Brdf<Color = Vec3>); 2] =
+        [("written", &gold), ("described", &described)];
+    for (name, model) in models {
+        let model = black_box(model);
         let mut values = vec![Vec3::ZERO; COUNT];
         group.bench_function(name, |bencher| {
             bencher.iter(|| {

@@ -1,10 +1,14 @@
 //! The trait that all reflectance models share.
 
 use alloc::boxed::Box;
+use core::array;
 
-use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms, formula};
+use crate::block::{
+    BatchError, ColorBlock, ColorBuffer, DirectionBlock, Directions, Draws, InstructionSet,
+    Numbers, Pairs, Plane, SampleBlock, SampleBuffer, Uniforms, fill, run, within,
+};
 use crate::quadrature::mean_over_square;
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, Vector};
 
 /// A reflectance model: the ratio f_r of reflected radiance to irradiance, in sr⁻¹.
 ///
@@ -51,27 +55,95 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         mean_over_square(|u| weight(self, wo, u))
     }
 
+    /// [`eval`](Self::eval) for a block of pairs: what [`eval_batch`](Self::eval_batch) calls block
+    /// by block.
+    ///
+    /// By default a loop over `eval`, compiled for the instruction set, which is fast if all that
+    /// `eval` calls is always inlined. A model that can do a whole block better, because it chooses
+    /// between formulas or consists of other models, overrides it with the same answers.
+    fn eval_block(
+        &self,
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
+        values: &mut ColorBlock<T, Self::Color>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                Self::Color::fill(
+                    values,
+                    &mut [],
+                    #[inline(always)]
+                    |index| (self.eval(wi.at(index), wo.at(index)), []),
+                );
+            },
+        );
+    }
+
+    /// [`pdf`](Self::pdf) for a block of pairs, as [`eval_block`](Self::eval_block).
+    fn pdf_block(
+        &self,
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
+        pdf: &mut Plane<T>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    array::from_mut(pdf),
+                    #[inline(always)]
+                    |index| [self.pdf(wi.at(index), wo.at(index))],
+                );
+            },
+        );
+    }
+
+    /// [`sample`](Self::sample) for a block of viewers, as [`eval_block`](Self::eval_block).
+    fn sample_block(
+        &self,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        u: [&Plane<T>; 2],
+        samples: &mut SampleBlock<T, Self::Color>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                Self::Color::fill(
+                    &mut samples.weight,
+                    &mut samples.wi_pdf,
+                    #[inline(always)]
+                    |index| self.sample(wo.at(index), [u[0][index], u[1][index]]).into_parts(),
+                );
+            },
+        );
+    }
+
     /// [`eval`](Self::eval) for many pairs of directions, bit for bit, at the speed of SIMD code: see
-    /// [`batch`](crate::batch).
+    /// [`batch`](crate::batch). Models override [`eval_block`](Self::eval_block) and not this.
     ///
     /// # Errors
-    /// If slices differ in length, or `values` in the number of channels.
+    /// If slices differ in length.
     fn eval_batch(
         &self,
         wi: Directions<'_, T>,
         wo: Directions<'_, T>,
         values: ColorBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        formula::eval(
-            wi,
-            wo,
-            values,
-            #[inline(always)]
-            |wi, wo| self.eval(wi, wo),
-        )
+        run(Pairs { wi, wo }, values, &mut |set, _, [a, b, c, d, e, f], values| {
+            self.eval_block(set, DirectionBlock([a, b, c]), DirectionBlock([d, e, f]), values);
+            Ok(())
+        })
     }
 
-    /// [`pdf`](Self::pdf) for many pairs of directions, bit for bit.
+    /// [`pdf`](Self::pdf) for many pairs of directions, bit for bit. Models override
+    /// [`pdf_block`](Self::pdf_block) and not this.
     ///
     /// # Errors
     /// If slices differ in length.
@@ -81,32 +153,27 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         wo: Directions<'_, T>,
         pdf: &mut [T],
     ) -> Result<(), BatchError> {
-        formula::pdf(
-            wi,
-            wo,
-            pdf,
-            #[inline(always)]
-            |wi, wo| self.pdf(wi, wo),
-        )
+        run(Pairs { wi, wo }, Numbers(pdf, "pdf"), &mut |set, _, [a, b, c, d, e, f], pdf| {
+            self.pdf_block(set, DirectionBlock([a, b, c]), DirectionBlock([d, e, f]), pdf);
+            Ok(())
+        })
     }
 
-    /// [`sample`](Self::sample) for many viewers, bit for bit.
+    /// [`sample`](Self::sample) for many viewers, bit for bit. Models override
+    /// [`sample_block`](Self::sample_block) and not this.
     ///
     /// # Errors
-    /// If slices differ in length, or the weights in the number of channels.
+    /// If slices differ in length.
     fn sample_batch(
         &self,
         wo: Directions<'_, T>,
         u: Uniforms<'_, T>,
         samples: SampleBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        formula::sample(
-            wo,
-            u,
-            samples,
-            #[inline(always)]
-            |wo, u| self.sample(wo, u).into_parts(),
-        )
+        run(Draws { wo, u }, samples, &mut |set, _, [a, b, c, u0, u1], samples| {
+            self.sample_block(set, DirectionBlock([a, b, c]), [u0, u1], samples);
+            Ok(())
+        })
     }
 }
 
@@ -130,10 +197,11 @@ pub struct Sample<T: Real, C> {
 }
 
 impl<T: Real, C: Color<T>> Sample<T, C> {
-    /// Direction, weight and density.
+    /// The weight, and beside it the direction and the density: see [`Color::fill`].
     #[inline(always)]
-    pub(crate) fn into_parts(self) -> (T::Vec3, C, T) {
-        (self.wi, self.weight, self.pdf)
+    pub(crate) fn into_parts(self) -> (C, [T; 4]) {
+        let Self { wi, weight, pdf } = self;
+        (weight, [wi.x(), wi.y(), wi.z(), pdf])
     }
 
     /// The sample where the mask is true, no direction (weight and pdf zero) elsewhere.
@@ -164,29 +232,32 @@ macro_rules! forward {
             fn albedo(&self, wo: T::Vec3) -> M::Color {
                 (**self).albedo(wo)
             }
-            fn eval_batch(
+            fn eval_block(
                 &self,
-                wi: Directions<'_, T>,
-                wo: Directions<'_, T>,
-                values: ColorBuffer<'_, T, M::Color>,
-            ) -> Result<(), BatchError> {
-                (**self).eval_batch(wi, wo, values)
+                set: InstructionSet,
+                wi: DirectionBlock<'_, T>,
+                wo: DirectionBlock<'_, T>,
+                values: &mut ColorBlock<T, M::Color>,
+            ) {
+                (**self).eval_block(set, wi, wo, values);
             }
-            fn pdf_batch(
+            fn pdf_block(
                 &self,
-                wi: Directions<'_, T>,
-                wo: Directions<'_, T>,
-                pdf: &mut [T],
-            ) -> Result<(), BatchError> {
-                (**self).pdf_batch(wi, wo, pdf)
+                set: InstructionSet,
+                wi: DirectionBlock<'_, T>,
+                wo: DirectionBlock<'_, T>,
+                pdf: &mut Plane<T>,
+            ) {
+                (**self).pdf_block(set, wi, wo, pdf);
             }
-            fn sample_batch(
+            fn sample_block(
                 &self,
-                wo: Directions<'_, T>,
-                u: Uniforms<'_, T>,
-                samples: SampleBuffer<'_, T, M::Color>,
-            ) -> Result<(), BatchError> {
-                (**self).sample_batch(wo, u, samples)
+                set: InstructionSet,
+                wo: DirectionBlock<'_, T>,
+                u: [&Plane<T>; 2],
+                samples: &mut SampleBlock<T, M::Color>,
+            ) {
+                (**self).sample_block(set, wo, u, samples);
             }
         }
     };

@@ -8,6 +8,7 @@ extern crate alloc;
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("brdf needs the feature `std` or the feature `libm`");
 
+mod any;
 pub mod batch;
 mod block;
 mod brdf;
@@ -29,6 +30,7 @@ mod real;
 mod sampling;
 mod sum;
 
+pub use any::{AnyBrdf, AnyCookTorrance};
 pub use brdf::{Brdf, Sample};
 pub use colorimetry::{Illuminant, Observer};
 pub use diffuse::{Lambert, OrenNayar};
@@ -36,14 +38,17 @@ pub use direction::{
     Pair, Refraction, above_surface, both_above, brewster_angle, critical_angle, from_spherical,
     reflect, refract, to_spherical,
 };
-pub use distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture, Smith};
+pub use distribution::{
+    AnyDistribution, AnyMixture, Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture,
+    Smith,
+};
 pub use error::{ParameterError, Range};
 pub use frame::Frame;
-pub use fresnel::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
+pub use fresnel::{AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
-    Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Shadowing, SmithCorrelated,
-    SmithSeparable, VCavity,
+    AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Scaled, Shadowing,
+    SmithCorrelated, SmithSeparable, VCavity,
 };
 pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

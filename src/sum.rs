@@ -1,10 +1,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::block::planes::{BLOCK, Components, Plane};
-use crate::block::run;
-use crate::block::values::{Samples, Slots};
-use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
+use crate::block::{BLOCK, ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock, within};
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Lift, Mask, Real, Vector, lift};
@@ -84,7 +81,6 @@ impl<M, C, T> WeightedSum<M, C, T> {
     }
 
     /// The same sum of other models, each made of the one in its place.
-    #[cfg(feature = "serde")]
     pub(crate) fn map<N>(self, mut change: impl FnMut(M) -> N) -> WeightedSum<N, C, T> {
         let terms = self.terms.into_iter().map(|Term { weight, probability, model }| Term {
             weight,
@@ -144,121 +140,96 @@ where
         self.total(|model| model.albedo(wo))
     }
 
-    fn eval_batch(
-        &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        values: ColorBuffer<'_, T, C>,
-    ) -> Result<(), BatchError> {
-        run::eval(wi, wo, values, &mut |_, _, wi, wo, values| self.eval_block(wi, wo, values))
-    }
+    // Block by block, term by term: each term in loops of its own.
 
-    fn pdf_batch(
-        &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        pdf: &mut [T],
-    ) -> Result<(), BatchError> {
-        run::pdf(wi, wo, pdf, &|_, _, wi, wo, pdf| self.pdf_block(wi, wo, pdf))
-    }
-
-    fn sample_batch(
-        &self,
-        wo: Directions<'_, T>,
-        u: Uniforms<'_, T>,
-        samples: SampleBuffer<'_, T, C>,
-    ) -> Result<(), BatchError> {
-        run::sample(wo, u, samples, &mut |_, _, wo, u, samples| self.sample_block(wo, u, samples))
-    }
-}
-
-/// Term by term a block at a time, each with its own dispatch.
-impl<M, C, T> WeightedSum<M, C, T>
-where
-    T: Real,
-    C: Color<T>,
-    M: Brdf<T, Color = C>,
-{
-    #[inline(always)]
     fn eval_block(
         &self,
-        wi: Components<'_, T>,
-        wo: Components<'_, T>,
-        mut values: Slots<'_, T, C>,
-    ) -> Result<(), BatchError> {
-        let zero = C::splat(T::zero());
-        let (mut sum, mut colors) = ([zero; BLOCK], [zero; BLOCK]);
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
+        values: &mut ColorBlock<T, C>,
+    ) {
+        let (mut sum, mut each) = (black::<T, C>(), black::<T, C>());
         for term in &self.terms {
-            term.model.eval_batch(wi.into(), wo.into(), (&mut colors).into())?;
-            for (sum, color) in sum.iter_mut().zip(&colors) {
-                *sum = *sum + term.weight * *color;
-            }
+            term.model.eval_block(set, wi, wo, &mut each);
+            within::<T, _>(
+                set,
+                #[inline(always)]
+                || {
+                    let sum = sum.as_mut().iter_mut().zip(each.as_ref());
+                    for ((sum, each), weight) in sum.zip(term.weight.channels().as_ref()) {
+                        for (sum, each) in sum.iter_mut().zip(each) {
+                            *sum = *sum + *weight * *each;
+                        }
+                    }
+                },
+            );
         }
-        for (index, sum) in sum.into_iter().enumerate() {
-            values.set(index, limited(sum));
+        for (values, sum) in values.as_mut().iter_mut().zip(sum.as_ref()) {
+            *values = sum.map(|sum| sum.min(T::max_finite()));
         }
-        Ok(())
     }
 
-    #[inline(always)]
     fn pdf_block(
         &self,
-        wi: Components<'_, T>,
-        wo: Components<'_, T>,
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
         pdf: &mut Plane<T>,
-    ) -> Result<(), BatchError> {
+    ) {
         let mut each = [T::zero(); BLOCK];
         let mut sum = each;
         for term in &self.terms {
-            term.model.pdf_batch(wi.into(), wo.into(), &mut each)?;
+            term.model.pdf_block(set, wi, wo, &mut each);
             for (sum, pdf) in sum.iter_mut().zip(each) {
                 *sum = *sum + term.probability * pdf;
             }
         }
         *pdf = sum.map(|sum| sum.min(T::max_finite()));
-        Ok(())
     }
 
-    #[inline(always)]
     fn sample_block(
         &self,
-        wo: Components<'_, T>,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
         [u0, u1]: [&Plane<T>; 2],
-        samples: &mut Samples<T, C>,
-    ) -> Result<(), BatchError> {
+        samples: &mut SampleBlock<T, C>,
+    ) {
         let (mut start, mut kept) = (T::zero(), [Kept::new(); BLOCK]);
-        let mut stretched = [T::zero(); BLOCK];
-        let mut colors = [C::splat(T::zero()); BLOCK];
+        let u0 = u0.map(|u| uniform([u; 2])[0]);
         for term in &self.terms {
-            for (stretched, u) in stretched.iter_mut().zip(u0) {
-                *stretched = term.stretched(start, uniform([*u, *u])[0]);
-            }
-            let Samples { wi, pdf, .. } = samples;
-            let [x, y, z] = &mut wi.0;
-            term.model.sample_batch(
-                wo.into(),
-                [&stretched, u1].into(),
-                SampleBuffer { wi: [x, y, z].into(), weight: (&mut colors).into(), pdf },
-            )?;
+            let stretched = u0.map(|u| term.stretched(start, u));
+            term.model.sample_block(set, wo, [&stretched, u1], samples);
             for (index, kept) in kept.iter_mut().enumerate() {
-                let u = uniform([u0[index], u0[index]])[0];
-                *kept = term.kept(start, u, wi.components().at(index), pdf[index], *kept);
+                let (wi, pdf) = (samples.wi().at(index), samples.wi_pdf[3][index]);
+                *kept = term.kept(start, u0[index], wi, pdf, *kept);
             }
             start = start + term.probability;
         }
-        for (index, kept) in kept.iter().enumerate() {
-            samples.wi.set(index, kept.wi);
-        }
-        let mut pdf = [T::zero(); BLOCK];
-        self.pdf_block(samples.wi.components(), wo, &mut pdf)?;
-        self.eval_block(samples.wi.components(), wo, samples.weight.slots())?;
-        for (index, (kept, pdf)) in kept.iter().zip(pdf).enumerate() {
-            let sample = kept.sample(pdf, samples.weight.at(index));
-            samples.weight.slots().set(index, sample.weight);
-            samples.pdf[index] = sample.pdf;
-        }
-        Ok(())
+        let (mut pdf, mut values) = ([T::zero(); BLOCK], black::<T, C>());
+        let wi = kept.each_ref().map(|kept| kept.wi);
+        let wi = [wi.map(Vector::x), wi.map(Vector::y), wi.map(Vector::z)];
+        self.pdf_block(set, DirectionBlock::new(&wi), wo, &mut pdf);
+        self.eval_block(set, DirectionBlock::new(&wi), wo, &mut values);
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                C::fill(
+                    &mut samples.weight,
+                    &mut samples.wi_pdf,
+                    #[inline(always)]
+                    |index| kept[index].sample(pdf[index], C::at(&values, index)).into_parts(),
+                );
+            },
+        );
     }
+}
+
+/// A block of black.
+#[inline(always)]
+fn black<T: Real, C: Color<T>>() -> ColorBlock<T, C> {
+    C::by_channel(|_| [T::zero(); BLOCK])
 }
 
 impl<M, C, T: Real> Term<M, C, T> {

@@ -48,7 +48,7 @@ macro_rules! planes {
             ) {
                 let [r, g, b, ..] = &mut self.out;
                 let (wi, wo) = (self.wi.each_ref(), self.wo.each_ref());
-                (wi.into(), wo.into(), ColorBuffer::Planes([r, g, b]))
+                (wi.into(), wo.into(), ColorBuffer::from([r, g, b]))
             }
 
             pub fn pdf(
@@ -67,7 +67,7 @@ macro_rules! planes {
                 let [x, y, z, r, g, b, pdf] = &mut self.out;
                 let samples = SampleBuffer {
                     wi: DirectionBuffer::Planes([x, y, z]),
-                    weight: ColorBuffer::Planes([r, g, b]),
+                    weight: ColorBuffer::from([r, g, b]),
                     pdf,
                 };
                 (self.wo.each_ref().into(), self.u.each_ref().into(), samples)
@@ -83,7 +83,7 @@ macro_rules! planes {
                 &mut self,
             ) -> (&[$float], ColorBuffer<'_, $float, glam::$vector>) {
                 let [r, g, b, ..] = &mut self.out;
-                (&self.wi[2], ColorBuffer::Planes([r, g, b]))
+                (&self.wi[2], ColorBuffer::from([r, g, b]))
             }
 
             /// A loop that calls a formula for every pair and stores what it says.

@@ -68,5 +68,5 @@ fn check<T: Real<Mask = bool> + Into<f64>>(
     u: [f64; 2],
 ) {
     let model = description.build::<T>().expect("what is read can be built");
-    assert_sound("the model", model.as_ref(), |_, _| f64::INFINITY, pair, u);
+    assert_sound("the model", &model, |_, _| f64::INFINITY, pair, u);
 }

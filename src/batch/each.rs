@@ -1,11 +1,14 @@
 //! One model for each element: textures of roughness, albedo, index.
 
-use crate::block::planes::{Answers, BLOCK, within};
-use crate::block::run;
-use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
+use core::array;
+
+use crate::block::{
+    BLOCK, BatchError, ColorBuffer, DirectionBlock, Directions, Draws, Numbers, Pairs,
+    SampleBuffer, Uniforms, check, fill, run, within,
+};
 use crate::brdf::Brdf;
 use crate::error::ParameterError;
-use crate::real::Real;
+use crate::real::{Color, Real};
 
 /// [`Brdf::eval_batch`] where every element has a model of its own, which `model` makes for the
 /// index of the element. It is asked once for each index, in order. Models that are not [`Copy`],
@@ -37,16 +40,20 @@ pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
     wo: Directions<'_, T>,
     values: ColorBuffer<'_, T, M::Color>,
 ) -> Result<(), BatchError> {
-    let length = run::check_eval(wi, wo, &values)?;
-    run::eval(wi, wo, values, &mut |set, start, wi, wo, mut values| {
+    let pairs = Pairs { wi, wo };
+    let length = check(&pairs, &values)?;
+    run(pairs, values, &mut |set, start, [a, b, c, d, e, f], values| {
         let models = models(&model, start, length)?;
+        let (wi, wo) = (DirectionBlock([a, b, c]), DirectionBlock([d, e, f]));
         within::<T, _>(
             set,
             #[inline(always)]
             || {
-                values.fill(
+                M::Color::fill(
+                    values,
+                    &mut [],
                     #[inline(always)]
-                    |index| models[index].eval(wi.at(index), wo.at(index)),
+                    |index| (models[index].eval(wi.at(index), wo.at(index)), []),
                 );
             },
         );
@@ -64,16 +71,19 @@ pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
     wo: Directions<'_, T>,
     pdf: &mut [T],
 ) -> Result<(), BatchError> {
-    let length = run::check_pdf(wi, wo, pdf)?;
-    run::pdf(wi, wo, pdf, &|set, start, wi, wo, pdf| {
+    let (pairs, pdf) = (Pairs { wi, wo }, Numbers(pdf, "pdf"));
+    let length = check(&pairs, &pdf)?;
+    run(pairs, pdf, &mut |set, start, [a, b, c, d, e, f], pdf| {
         let models = models(&model, start, length)?;
+        let (wi, wo) = (DirectionBlock([a, b, c]), DirectionBlock([d, e, f]));
         within::<T, _>(
             set,
             #[inline(always)]
             || {
-                pdf.fill(
+                fill(
+                    array::from_mut(pdf),
                     #[inline(always)]
-                    |index| models[index].pdf(wi.at(index), wo.at(index)),
+                    |index| [models[index].pdf(wi.at(index), wo.at(index))],
                 );
             },
         );
@@ -91,19 +101,20 @@ pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
     u: Uniforms<'_, T>,
     samples: SampleBuffer<'_, T, M::Color>,
 ) -> Result<(), BatchError> {
-    let length = run::check_sample(wo, u, &samples)?;
-    run::sample(wo, u, samples, &mut |set, start, wo, u, samples| {
+    let draws = Draws { wo, u };
+    let length = check(&draws, &samples)?;
+    run(draws, samples, &mut |set, start, [a, b, c, u0, u1], samples| {
         let models = models(&model, start, length)?;
+        let wo = DirectionBlock([a, b, c]);
         within::<T, _>(
             set,
             #[inline(always)]
             || {
-                samples.fill(
+                M::Color::fill(
+                    &mut samples.weight,
+                    &mut samples.wi_pdf,
                     #[inline(always)]
-                    |index| {
-                        let u = [u[0][index], u[1][index]];
-                        models[index].sample(wo.at(index), u).into_parts()
-                    },
+                    |index| models[index].sample(wo.at(index), [u0[index], u1[index]]).into_parts(),
                 );
             },
         );

@@ -43,6 +43,7 @@ mod each;
 pub mod parallel;
 
 pub use crate::block::{
-    BatchError, ColorBuffer, DirectionBuffer, Directions, InstructionSet, SampleBuffer, Uniforms,
+    BLOCK, BatchError, ColorBlock, ColorBuffer, DirectionBlock, DirectionBuffer, Directions,
+    InstructionSet, Plane, SampleBlock, SampleBuffer, Uniforms,
 };
 pub use each::{eval_each, pdf_each, sample_each};

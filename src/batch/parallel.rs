@@ -16,8 +16,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::block::run;
-use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
+use crate::block::{
+    BatchError, ColorBuffer, Directions, Draws, Input, Numbers, Output, Pairs, SampleBuffer,
+    Uniforms, check,
+};
 use crate::brdf::Brdf;
 use crate::real::Real;
 
@@ -30,94 +32,66 @@ const fn middle(length: usize) -> Option<usize> {
     if length <= CHUNK { None } else { Some((length / 2).next_multiple_of(CHUNK)) }
 }
 
+/// Does a batch in parts, on as many cores as there are.
+fn in_parts<T, I, O, const N: usize>(
+    input: I,
+    output: O,
+    part: &(impl Fn(I, O) -> Result<(), BatchError> + Sync),
+) -> Result<(), BatchError>
+where
+    T: Real,
+    I: Input<T, N> + Send + Sync,
+    O: Output + Send,
+{
+    let length = check(&input, &output)?;
+    let Some(middle) = middle(length) else {
+        return part(input, output);
+    };
+    let (input, output) = (input.split(middle), output.split(middle));
+    let (first, second) =
+        rayon::join(|| in_parts(input.0, output.0, part), || in_parts(input.1, output.1, part));
+    first.and(second)
+}
+
 /// [`Brdf::eval_batch`] on all cores.
 ///
 /// # Errors
-/// If slices differ in length, or their number is not that of the channels. Nothing is written then.
+/// If slices differ in length. Nothing is written then.
 pub fn eval<T: Real, M: Brdf<T> + ?Sized>(
     model: &M,
     wi: Directions<'_, T>,
     wo: Directions<'_, T>,
     values: ColorBuffer<'_, T, M::Color>,
 ) -> Result<(), BatchError> {
-    let length = run::check_eval(wi, wo, &values)?;
-    eval_part(model, length, wi, wo, values)
-}
-
-fn eval_part<T: Real, M: Brdf<T> + ?Sized>(
-    model: &M,
-    length: usize,
-    wi: Directions<'_, T>,
-    wo: Directions<'_, T>,
-    values: ColorBuffer<'_, T, M::Color>,
-) -> Result<(), BatchError> {
-    let Some(middle) = middle(length) else {
-        return model.eval_batch(wi, wo, values);
-    };
-    let (wi, wo, values) = (wi.split(middle), wo.split(middle), values.split(middle));
-    let (first, second) = rayon::join(
-        || eval_part(model, middle, wi.0, wo.0, values.0),
-        || eval_part(model, length - middle, wi.1, wo.1, values.1),
-    );
-    first.and(second)
+    in_parts(Pairs { wi, wo }, values, &|Pairs { wi, wo }, values| model.eval_batch(wi, wo, values))
 }
 
 /// [`Brdf::pdf_batch`] on all cores.
 ///
 /// # Errors
-/// If slices differ in length, or their number is not that of the channels. Nothing is written then.
+/// If slices differ in length. Nothing is written then.
 pub fn pdf<T: Real, M: Brdf<T> + ?Sized>(
     model: &M,
     wi: Directions<'_, T>,
     wo: Directions<'_, T>,
     pdf: &mut [T],
 ) -> Result<(), BatchError> {
-    run::check_pdf(wi, wo, pdf)?;
-    pdf_part(model, wi, wo, pdf)
-}
-
-fn pdf_part<T: Real, M: Brdf<T> + ?Sized>(
-    model: &M,
-    wi: Directions<'_, T>,
-    wo: Directions<'_, T>,
-    pdf: &mut [T],
-) -> Result<(), BatchError> {
-    let Some(middle) = middle(pdf.len()) else {
-        return model.pdf_batch(wi, wo, pdf);
-    };
-    let (wi, wo, pdf) = (wi.split(middle), wo.split(middle), pdf.split_at_mut(middle));
-    let (first, second) =
-        rayon::join(|| pdf_part(model, wi.0, wo.0, pdf.0), || pdf_part(model, wi.1, wo.1, pdf.1));
-    first.and(second)
+    in_parts(Pairs { wi, wo }, Numbers(pdf, "pdf"), &|Pairs { wi, wo }, Numbers(pdf, _)| {
+        model.pdf_batch(wi, wo, pdf)
+    })
 }
 
 /// [`Brdf::sample_batch`] on all cores.
 ///
 /// # Errors
-/// If slices differ in length, or their number is not that of the channels. Nothing is written then.
+/// If slices differ in length. Nothing is written then.
 pub fn sample<T: Real, M: Brdf<T> + ?Sized>(
     model: &M,
     wo: Directions<'_, T>,
     u: Uniforms<'_, T>,
     samples: SampleBuffer<'_, T, M::Color>,
 ) -> Result<(), BatchError> {
-    run::check_sample(wo, u, &samples)?;
-    sample_part(model, wo, u, samples)
-}
-
-fn sample_part<T: Real, M: Brdf<T> + ?Sized>(
-    model: &M,
-    wo: Directions<'_, T>,
-    u: Uniforms<'_, T>,
-    samples: SampleBuffer<'_, T, M::Color>,
-) -> Result<(), BatchError> {
-    let Some(middle) = middle(samples.pdf.len()) else {
-        return model.sample_batch(wo, u, samples);
-    };
-    let (wo, u, samples) = (wo.split(middle), u.split(middle), samples.split(middle));
-    let (first, second) = rayon::join(
-        || sample_part(model, wo.0, u.0, samples.0),
-        || sample_part(model, wo.1, u.1, samples.1),
-    );
-    first.and(second)
+    in_parts(Draws { wo, u }, samples, &|Draws { wo, u }, samples| {
+        model.sample_batch(wo, u, samples)
+    })
 }

@@ -32,15 +32,6 @@ pub enum BatchError {
         /// The other's number of elements.
         other_length: usize,
     },
-    /// There are not as many slices as the colour has channels. Nothing was written.
-    Channels {
-        /// The argument.
-        argument: &'static str,
-        /// Number of slices.
-        slices: usize,
-        /// Number of channels of the colour.
-        channels: usize,
-    },
     /// A model of an element could not be built. What comes before the element's block of 128 has
     /// been computed.
     Parameter {
@@ -57,9 +48,6 @@ impl fmt::Display for BatchError {
             Self::Length { argument, length, other, other_length } => {
                 write!(f, "{argument} has {length} elements, but {other} has {other_length}")
             }
-            Self::Channels { argument, slices, channels } => {
-                write!(f, "{argument} has {slices} slices for a color of channel count {channels}")
-            }
             Self::Parameter { index, .. } => write!(f, "there is no model for element {index}"),
         }
     }
@@ -75,7 +63,7 @@ impl Error for BatchError {
 }
 
 /// The length of the slices seen so far, which all others must have.
-pub(super) struct Length {
+pub(crate) struct Length {
     argument: &'static str,
     length: usize,
 }

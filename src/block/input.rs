@@ -1,7 +1,8 @@
 //! What a batch reads.
 
 use super::error::{BatchError, Length};
-use super::planes::{BLOCK, Components, Plane, Planes};
+use super::planes::{BLOCK, Plane};
+use super::run::Input;
 use crate::real::{Real, Vector};
 
 /// Directions that a batch reads, one for each of its elements.
@@ -44,11 +45,7 @@ impl<'a, T: Real> Directions<'a, T> {
         matches!(self.len(), Some(0))
     }
 
-    pub(super) fn check(
-        &self,
-        length: &Length,
-        names: [&'static str; 4],
-    ) -> Result<(), BatchError> {
+    fn check(&self, length: &Length, names: [&'static str; 4]) -> Result<(), BatchError> {
         match self {
             Self::Vectors(vectors) => length.check(names[0], vectors.len()),
             Self::Planes(planes) => names[1..]
@@ -61,7 +58,7 @@ impl<'a, T: Real> Directions<'a, T> {
 
     /// What comes before an element, and the rest.
     #[cfg(feature = "rayon")]
-    pub(crate) fn split(self, middle: usize) -> (Self, Self) {
+    fn split(self, middle: usize) -> (Self, Self) {
         match self {
             Self::Vectors(vectors) => {
                 let (first, second) = vectors.split_at(middle);
@@ -75,64 +72,64 @@ impl<'a, T: Real> Directions<'a, T> {
         }
     }
 
-    /// The block that begins at `start`: in place if it is whole, else in `memory` and filled up
-    /// with null vectors, for which every answer is zero.
+    /// See [`Input::planes`].
     #[inline(always)]
-    pub(crate) fn block<'b>(&self, start: usize, memory: &'b mut Planes<T, 3>) -> Components<'b, T>
+    fn planes<'b>(&self, start: usize, memory: [&'b mut Plane<T>; 3]) -> [&'b Plane<T>; 3]
     where
         'a: 'b,
     {
+        let [x, y, z] = memory;
         match *self {
             Self::Vectors(vectors) => {
                 let rest = vectors.get(start..).unwrap_or_default();
-                rearrange::<T>(rest, memory);
-                memory.components()
+                take_apart(rest, x, y, z);
             }
             Self::Planes(planes) => {
-                let [x, y, z] = planes.map(|plane| whole(plane, start));
-                if let (Some(x), Some(y), Some(z)) = (x, y, z) {
-                    return Components([x, y, z]);
-                }
-                for (memory, plane) in memory.0.iter_mut().zip(planes) {
-                    fill(memory, plane.get(start..).unwrap_or_default());
-                }
-                memory.components()
+                return each(planes, start, [x, y, z]);
             }
             Self::Same(w) => {
-                memory.0 = [[w.x(); BLOCK], [w.y(); BLOCK], [w.z(); BLOCK]];
-                memory.components()
+                [*x, *y, *z] = [[w.x(); BLOCK], [w.y(); BLOCK], [w.z(); BLOCK]];
             }
         }
-    }
-}
-
-/// The block of a slice that begins at `start`, if it is whole.
-#[inline(always)]
-pub(super) fn whole<T>(slice: &[T], start: usize) -> Option<&[T; BLOCK]> {
-    slice.get(start..).and_then(<[T]>::first_chunk)
-}
-
-/// Copies what there is of a block, and its first element behind it: a formula may rely on what it
-/// is asked.
-pub(super) fn fill<T: Real>(memory: &mut Plane<T>, from: &[T]) {
-    *memory = [from.first().copied().unwrap_or(T::zero()); BLOCK];
-    for (memory, from) in memory.iter_mut().zip(from) {
-        *memory = *from;
+        [x, y, z]
     }
 }
 
 /// Takes vectors apart into components.
 #[inline(always)]
-fn rearrange<T: Real>(vectors: &[T::Vec3], memory: &mut Planes<T, 3>) {
+fn take_apart<T: Real>(vectors: &[T::Vec3], x: &mut Plane<T>, y: &mut Plane<T>, z: &mut Plane<T>) {
     if let Some(vectors) = vectors.first_chunk::<BLOCK>() {
         for (index, vector) in vectors.iter().enumerate() {
-            memory.set(index, *vector);
+            (x[index], y[index], z[index]) = (vector.x(), vector.y(), vector.z());
         }
     } else if let Some(first) = vectors.first() {
         for index in 0..BLOCK {
-            memory.set(index, *vectors.get(index).unwrap_or(first));
+            let vector = vectors.get(index).unwrap_or(first);
+            (x[index], y[index], z[index]) = (vector.x(), vector.y(), vector.z());
         }
     }
+}
+
+/// The blocks of slices of equal length that begin at `start`: in place if they are whole, else in
+/// memory, filled up with their first elements.
+#[inline(always)]
+fn each<'b, T: Real, const N: usize>(
+    slices: [&'b [T]; N],
+    start: usize,
+    memory: [&'b mut Plane<T>; N],
+) -> [&'b Plane<T>; N] {
+    let mut slices = slices.into_iter();
+    memory.map(|memory| {
+        let rest = slices.next().and_then(|slice| slice.get(start..)).unwrap_or_default();
+        if let Some(whole) = rest.first_chunk() {
+            return whole;
+        }
+        *memory = [rest.first().copied().unwrap_or(T::zero()); BLOCK];
+        for (memory, number) in memory.iter_mut().zip(rest) {
+            *memory = *number;
+        }
+        memory
+    })
 }
 
 /// Pairs of uniform numbers in [0, 1) that a batch reads, one for each of its elements.
@@ -145,7 +142,7 @@ pub enum Uniforms<'a, T = f32> {
 }
 
 impl<'a, T: Real> Uniforms<'a, T> {
-    pub(super) fn check(&self, length: &Length) -> Result<(), BatchError> {
+    fn check(&self, length: &Length) -> Result<(), BatchError> {
         match self {
             Self::Pairs(pairs) => length.check("u", pairs.len()),
             Self::Planes([first, second]) => {
@@ -157,7 +154,7 @@ impl<'a, T: Real> Uniforms<'a, T> {
 
     /// What comes before an element, and the rest.
     #[cfg(feature = "rayon")]
-    pub(crate) fn split(self, middle: usize) -> (Self, Self) {
+    fn split(self, middle: usize) -> (Self, Self) {
         match self {
             Self::Pairs(pairs) => {
                 let (first, second) = pairs.split_at(middle);
@@ -170,9 +167,9 @@ impl<'a, T: Real> Uniforms<'a, T> {
         }
     }
 
-    /// The block that begins at `start`, as [`Directions::block`].
+    /// See [`Input::planes`].
     #[inline(always)]
-    pub(crate) fn block<'b>(&self, start: usize, memory: &'b mut Planes<T, 2>) -> [&'b Plane<T>; 2]
+    fn planes<'b>(&self, start: usize, [u0, u1]: [&'b mut Plane<T>; 2]) -> [&'b Plane<T>; 2]
     where
         'a: 'b,
     {
@@ -180,29 +177,117 @@ impl<'a, T: Real> Uniforms<'a, T> {
             Self::Pairs(pairs) => {
                 let rest = pairs.get(start..).unwrap_or_default();
                 let first = rest.first().copied().unwrap_or([T::zero(); 2]);
-                *memory = Planes(first.map(|number| [number; BLOCK]));
+                [*u0, *u1] = first.map(|number| [number; BLOCK]);
                 for (index, pair) in rest.iter().take(BLOCK).enumerate() {
-                    memory.0[0][index] = pair[0];
-                    memory.0[1][index] = pair[1];
+                    [u0[index], u1[index]] = *pair;
                 }
+                [u0, u1]
             }
-            Self::Planes(planes) => {
-                let [first, second] = planes.map(|plane| whole(plane, start));
-                if let (Some(first), Some(second)) = (first, second) {
-                    return [first, second];
-                }
-                for (memory, plane) in memory.0.iter_mut().zip(planes) {
-                    fill(memory, plane.get(start..).unwrap_or_default());
-                }
-            }
+            Self::Planes(planes) => each(planes, start, [u0, u1]),
         }
-        [&memory.0[0], &memory.0[1]]
     }
 }
 
-impl<'a, T: Real> From<Components<'a, T>> for Directions<'a, T> {
-    fn from(components: Components<'a, T>) -> Self {
-        Self::Planes(components.0.map(<[T; BLOCK]>::as_slice))
+/// Names of an argument and its components, for errors.
+const WI: [&str; 4] = ["wi", "wi.x", "wi.y", "wi.z"];
+const WO: [&str; 4] = ["wo", "wo.x", "wo.y", "wo.z"];
+const H: [&str; 4] = ["h", "h.x", "h.y", "h.z"];
+
+/// Pairs of directions: what values and densities are asked for.
+#[derive(Clone, Copy)]
+pub(crate) struct Pairs<'a, T: Real> {
+    pub(crate) wi: Directions<'a, T>,
+    pub(crate) wo: Directions<'a, T>,
+}
+
+impl<T: Real> Input<T, 6> for Pairs<'_, T> {
+    fn check(&self, length: &Length) -> Result<(), BatchError> {
+        self.wi.check(length, WI)?;
+        self.wo.check(length, WO)
+    }
+
+    #[inline(always)]
+    fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; 6]) -> [&'b Plane<T>; 6] {
+        let [a, b, c, d, e, f] = memory;
+        let [a, b, c] = self.wi.planes(start, [a, b, c]);
+        let [d, e, f] = self.wo.planes(start, [d, e, f]);
+        [a, b, c, d, e, f]
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (wi, wo) = (self.wi.split(middle), self.wo.split(middle));
+        (Self { wi: wi.0, wo: wo.0 }, Self { wi: wi.1, wo: wo.1 })
+    }
+}
+
+/// Viewers and uniform numbers: what samples are drawn for.
+#[derive(Clone, Copy)]
+pub(crate) struct Draws<'a, T: Real> {
+    pub(crate) wo: Directions<'a, T>,
+    pub(crate) u: Uniforms<'a, T>,
+}
+
+impl<T: Real> Input<T, 5> for Draws<'_, T> {
+    fn check(&self, length: &Length) -> Result<(), BatchError> {
+        self.wo.check(length, WO)?;
+        self.u.check(length)
+    }
+
+    #[inline(always)]
+    fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; 5]) -> [&'b Plane<T>; 5] {
+        let [a, b, c, d, e] = memory;
+        let [a, b, c] = self.wo.planes(start, [a, b, c]);
+        let [d, e] = self.u.planes(start, [d, e]);
+        [a, b, c, d, e]
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (wo, u) = (self.wo.split(middle), self.u.split(middle));
+        (Self { wo: wo.0, u: u.0 }, Self { wo: wo.1, u: u.1 })
+    }
+}
+
+/// Normals of facets.
+#[derive(Clone, Copy)]
+pub(crate) struct Normals<'a, T: Real>(pub(crate) Directions<'a, T>);
+
+impl<T: Real> Input<T, 3> for Normals<'_, T> {
+    fn check(&self, length: &Length) -> Result<(), BatchError> {
+        self.0.check(length, H)
+    }
+
+    #[inline(always)]
+    fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; 3]) -> [&'b Plane<T>; 3] {
+        self.0.planes(start, memory.each_mut())
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (first, second) = self.0.split(middle);
+        (Self(first), Self(second))
+    }
+}
+
+/// Cosines of angles of incidence.
+#[derive(Clone, Copy)]
+pub(crate) struct Cosines<'a, T>(pub(crate) &'a [T]);
+
+impl<T: Real> Input<T, 1> for Cosines<'_, T> {
+    fn check(&self, length: &Length) -> Result<(), BatchError> {
+        length.check("cos_theta", self.0.len())
+    }
+
+    #[inline(always)]
+    fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; 1]) -> [&'b Plane<T>; 1] {
+        each([self.0], start, memory.each_mut())
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (first, second) = self.0.split_at(middle);
+        (Self(first), Self(second))
     }
 }
 

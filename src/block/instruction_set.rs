@@ -71,10 +71,11 @@ impl InstructionSet {
         self == Self::Baseline
     }
 
-    /// Runs `work` compiled for this set. What it calls takes part only if it is always inlined.
+    /// Runs `work` compiled for this set. What it calls takes part only if it is always inlined:
+    /// functions with `#[inline(always)]`, closures with the same attribute.
     #[cfg(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64")))]
     #[inline(always)]
-    pub(crate) fn run<R>(self, work: impl FnOnce() -> R) -> R {
+    pub fn run<R>(self, work: impl FnOnce() -> R) -> R {
         use fearless_simd::Simd;
 
         let level = fearless_simd::Level::new();
@@ -88,7 +89,7 @@ impl InstructionSet {
     /// Runs `work`.
     #[cfg(not(all(feature = "simd", any(target_arch = "x86", target_arch = "x86_64"))))]
     #[inline(always)]
-    pub(crate) fn run<R>(self, work: impl FnOnce() -> R) -> R {
+    pub fn run<R>(self, work: impl FnOnce() -> R) -> R {
         work()
     }
 }

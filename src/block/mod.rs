@@ -1,17 +1,21 @@
-//! The loops behind batches: slices of directions in and out, block by block, compiled for several
-//! instruction sets. They run formulas and know no model.
+//! The loop behind batches: slices of directions in and out, block by block, compiled for several
+//! instruction sets. It runs formulas and knows no model.
 
 mod error;
-pub(crate) mod formula;
 mod input;
 mod instruction_set;
 mod output;
-pub(crate) mod parts;
-pub(crate) mod planes;
-pub(crate) mod run;
-pub(crate) mod values;
+mod planes;
+mod run;
 
 pub use error::BatchError;
+pub(crate) use input::{Cosines, Draws, Normals, Pairs};
 pub use input::{Directions, Uniforms};
 pub use instruction_set::InstructionSet;
+pub(crate) use output::Numbers;
 pub use output::{ColorBuffer, DirectionBuffer, SampleBuffer};
+pub use planes::{BLOCK, ColorBlock, DirectionBlock, Plane, SampleBlock};
+pub(crate) use planes::{fill, refill, within};
+#[cfg(feature = "rayon")]
+pub(crate) use run::{Input, Output};
+pub(crate) use run::{check, run};

@@ -1,8 +1,8 @@
 //! What a batch writes.
 
 use super::error::{BatchError, Length};
-use super::planes::{BLOCK, Plane, Planes, copy_front};
-use super::values::{Slots, Values, channels};
+use super::planes::{BLOCK, ColorBlock, DirectionBlock, Plane, SampleBlock, copy_front};
+use super::run::Output;
 use crate::real::{Color, Real};
 
 /// Directions that a batch writes.
@@ -33,17 +33,16 @@ pub enum DirectionBuffer<'a, T: Real = f32> {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
-pub enum ColorBuffer<'a, T = f32, C = glam::Vec3> {
+pub enum ColorBuffer<'a, T: Real = f32, C: Color<T> = glam::Vec3> {
     /// One colour after the other.
     Colors(&'a mut [C]),
-    /// All red, all green, all blue. A colour with one channel is a number, and its slice one of
-    /// [`Colors`](Self::Colors).
-    Planes([&'a mut [T]; 3]),
+    /// A slice for each channel: all red, all green, all blue.
+    Planes(C::Channels<&'a mut [T]>),
 }
 
 /// Where the samples of a batch go. All three have the length of the batch.
 #[derive(Debug)]
-pub struct SampleBuffer<'a, T: Real = f32, C = glam::Vec3> {
+pub struct SampleBuffer<'a, T: Real = f32, C: Color<T> = glam::Vec3> {
     /// [`Sample::wi`](crate::Sample::wi).
     pub wi: DirectionBuffer<'a, T>,
     /// [`Sample::weight`](crate::Sample::weight).
@@ -52,12 +51,12 @@ pub struct SampleBuffer<'a, T: Real = f32, C = glam::Vec3> {
     pub pdf: &'a mut [T],
 }
 
+/// Numbers that a batch writes, and what the argument is called in errors.
+#[derive(Debug)]
+pub(crate) struct Numbers<'a, T>(pub(crate) &'a mut [T], pub(crate) &'static str);
+
 impl<T: Real> DirectionBuffer<'_, T> {
-    pub(super) fn check(
-        &self,
-        length: &Length,
-        names: [&'static str; 4],
-    ) -> Result<(), BatchError> {
+    fn check(&self, length: &Length, names: [&'static str; 4]) -> Result<(), BatchError> {
         match self {
             Self::Vectors(vectors) => length.check(names[0], vectors.len()),
             Self::Planes(planes) => names[1..]
@@ -67,16 +66,14 @@ impl<T: Real> DirectionBuffer<'_, T> {
         }
     }
 
-    /// Writes what there is room for of a block that begins at `start`.
     #[inline(always)]
-    pub(crate) fn write(&mut self, start: usize, block: &Planes<T, 3>) {
+    fn write(&mut self, start: usize, block: DirectionBlock<'_, T>) {
         match self {
             Self::Vectors(vectors) => {
-                let vectors = part(vectors, start);
-                put_together(vectors, |index| block.components().at(index));
+                put_together(part(vectors, start), |index| block.at(index));
             }
             Self::Planes(planes) => {
-                for (plane, block) in planes.iter_mut().zip(&block.0) {
+                for (plane, block) in planes.iter_mut().zip(block.0) {
                     copy_front(block, part(plane, start));
                 }
             }
@@ -85,164 +82,182 @@ impl<T: Real> DirectionBuffer<'_, T> {
 }
 
 impl<T: Real, C: Color<T>> ColorBuffer<'_, T, C> {
-    /// The length that all other slices must have, under the names of this argument.
-    pub(super) fn length(&self, names: [&'static str; 4]) -> Result<Length, BatchError> {
+    /// The length of the first slice, with which the others must agree.
+    fn length_of(&self, names: &Names) -> Result<Length, BatchError> {
         let length = match self {
-            Self::Colors(colors) => Length::of(names[0], colors.len()),
-            Self::Planes(planes) => Length::of(names[1], planes[0].len()),
+            Self::Colors(colors) => Length::of(names.whole, colors.len()),
+            Self::Planes(planes) => {
+                let first = planes.as_ref().first().map_or(0, |plane| plane.len());
+                Length::of(names.channel(0), first)
+            }
         };
         self.check(&length, names)?;
         Ok(length)
     }
 
-    pub(super) fn check(
-        &self,
-        length: &Length,
-        names: [&'static str; 4],
-    ) -> Result<(), BatchError> {
+    fn check(&self, length: &Length, names: &Names) -> Result<(), BatchError> {
         match self {
-            Self::Colors(colors) => length.check(names[0], colors.len()),
+            Self::Colors(colors) => length.check(names.whole, colors.len()),
             Self::Planes(planes) => {
-                let channels = channels::<T, C>();
-                if channels != planes.len() {
-                    let (argument, slices) = (names[0], planes.len());
-                    return Err(BatchError::Channels { argument, slices, channels });
-                }
-                names[1..]
-                    .iter()
-                    .zip(planes)
-                    .try_for_each(|(name, plane)| length.check(name, plane.len()))
+                planes.as_ref().iter().enumerate().try_for_each(|(channel, plane)| {
+                    length.check(names.channel(channel), plane.len())
+                })
             }
         }
     }
+}
 
-    /// Slots in this memory for a block that begins at `start`, if it is whole and they fit.
+impl<T: Real, C: Color<T>> Output for ColorBuffer<'_, T, C> {
+    type Block = ColorBlock<T, C>;
+
     #[inline(always)]
-    pub(crate) fn slots<'b>(
-        &'b mut self,
-        start: usize,
-        memory: &'b mut Values<T, C>,
-    ) -> Option<Slots<'b, T, C>> {
+    fn memory() -> Self::Block {
+        C::by_channel(|_| [T::zero(); BLOCK])
+    }
+
+    fn length(&self) -> Result<Length, BatchError> {
+        self.length_of(&VALUES)
+    }
+
+    #[inline(always)]
+    fn in_place(&mut self, start: usize) -> Option<&mut Self::Block> {
         match self {
-            Self::Colors(colors) => {
-                whole_mut(colors, start).and_then(|colors| memory.slots_in(colors))
-            }
+            Self::Colors(colors) => whole(colors, start).and_then(C::in_place),
             Self::Planes(_) => None,
         }
     }
 
-    /// Writes what there is room for of a block that begins at `start`.
     #[inline(always)]
-    pub(crate) fn write(&mut self, start: usize, block: &Values<T, C>) {
+    fn write(&mut self, start: usize, block: &Self::Block) {
         match self {
             Self::Colors(colors) => {
-                put_together(part(colors, start), |index| block.at(index));
+                put_together(part(colors, start), |index| C::at(block, index));
             }
             Self::Planes(planes) => {
-                for (channel, plane) in planes.iter_mut().enumerate() {
-                    block.copy_channel(channel, part(plane, start));
+                for (plane, block) in planes.as_mut().iter_mut().zip(block.as_ref()) {
+                    copy_front(block, part(plane, start));
                 }
             }
         }
     }
 
-    /// Applies a formula to every channel of every colour.
-    pub(crate) fn map(&mut self, formula: impl Fn(T) -> T) {
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
         match self {
             Self::Colors(colors) => {
-                for color in colors.iter_mut() {
-                    *color = color.map(&formula);
-                }
+                let (first, second) = colors.split_at_mut(middle);
+                (Self::Colors(first), Self::Colors(second))
             }
-            Self::Planes(planes) => {
-                for value in planes.iter_mut().flat_map(|plane| plane.iter_mut()) {
-                    *value = formula(*value);
-                }
+            Self::Planes(mut planes) => {
+                let second = C::by_channel(|channel| match planes.as_mut().get_mut(channel) {
+                    Some(plane) => split_off(plane, middle),
+                    None => &mut [],
+                });
+                (Self::Planes(planes), Self::Planes(second))
             }
-        }
-    }
-
-    /// The same memory for a call that ends before this borrow.
-    pub(crate) fn reborrow(&mut self) -> ColorBuffer<'_, T, C> {
-        match self {
-            Self::Colors(colors) => ColorBuffer::Colors(colors),
-            Self::Planes([r, g, b]) => ColorBuffer::Planes([r, g, b]),
         }
     }
 }
 
-/// What comes before an element, and the rest.
-#[cfg(feature = "rayon")]
-mod split {
-    use super::{ColorBuffer, DirectionBuffer, SampleBuffer};
-    use crate::real::Real;
+impl<T: Real> Output for Numbers<'_, T> {
+    type Block = Plane<T>;
 
-    type Planes<'a, T> = [&'a mut [T]; 3];
-
-    fn planes<T>(planes: Planes<'_, T>, middle: usize) -> (Planes<'_, T>, Planes<'_, T>) {
-        let [x, y, z] = planes.map(|plane| plane.split_at_mut(middle));
-        ([x.0, y.0, z.0], [x.1, y.1, z.1])
+    #[inline(always)]
+    fn memory() -> Plane<T> {
+        [T::zero(); BLOCK]
     }
 
-    impl<T: Real> DirectionBuffer<'_, T> {
-        fn split(self, middle: usize) -> (Self, Self) {
-            match self {
-                Self::Vectors(vectors) => {
-                    let (first, second) = vectors.split_at_mut(middle);
-                    (Self::Vectors(first), Self::Vectors(second))
-                }
-                Self::Planes(all) => {
-                    let (first, second) = planes(all, middle);
-                    (Self::Planes(first), Self::Planes(second))
-                }
-            }
-        }
+    fn length(&self) -> Result<Length, BatchError> {
+        Ok(Length::of(self.1, self.0.len()))
     }
 
-    impl<T, C> ColorBuffer<'_, T, C> {
-        pub(crate) fn split(self, middle: usize) -> (Self, Self) {
-            match self {
-                Self::Colors(colors) => {
-                    let (first, second) = colors.split_at_mut(middle);
-                    (Self::Colors(first), Self::Colors(second))
-                }
-                Self::Planes(all) => {
-                    let (first, second) = planes(all, middle);
-                    (Self::Planes(first), Self::Planes(second))
-                }
-            }
-        }
+    #[inline(always)]
+    fn in_place(&mut self, start: usize) -> Option<&mut Plane<T>> {
+        whole(self.0, start)
     }
 
-    impl<T: Real, C> SampleBuffer<'_, T, C> {
-        pub(crate) fn split(self, middle: usize) -> (Self, Self) {
-            let (wi, weight) = (self.wi.split(middle), self.weight.split(middle));
-            let pdf = self.pdf.split_at_mut(middle);
-            (
-                Self { wi: wi.0, weight: weight.0, pdf: pdf.0 },
-                Self { wi: wi.1, weight: weight.1, pdf: pdf.1 },
-            )
-        }
+    #[inline(always)]
+    fn write(&mut self, start: usize, block: &Plane<T>) {
+        copy_front(block, part(self.0, start));
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (first, second) = self.0.split_at_mut(middle);
+        (Self(first, self.1), Self(second, self.1))
     }
 }
 
-impl<T: Real, C: Color<T>> SampleBuffer<'_, T, C> {
-    /// The same memory for a call that ends before this borrow.
-    pub(crate) fn reborrow(&mut self) -> SampleBuffer<'_, T, C> {
-        let wi = match &mut self.wi {
-            DirectionBuffer::Vectors(vectors) => DirectionBuffer::Vectors(vectors),
-            DirectionBuffer::Planes([x, y, z]) => DirectionBuffer::Planes([x, y, z]),
-        };
-        SampleBuffer { wi, weight: self.weight.reborrow(), pdf: self.pdf }
+impl<T: Real, C: Color<T>> Output for SampleBuffer<'_, T, C> {
+    type Block = SampleBlock<T, C>;
+
+    #[inline(always)]
+    fn memory() -> Self::Block {
+        SampleBlock::new()
     }
 
-    pub(super) fn length(&self) -> Result<Length, BatchError> {
+    fn length(&self) -> Result<Length, BatchError> {
         let length = Length::of("samples.pdf", self.pdf.len());
         self.wi.check(&length, ["samples.wi", "samples.wi.x", "samples.wi.y", "samples.wi.z"])?;
-        let names =
-            ["samples.weight", "samples.weight[0]", "samples.weight[1]", "samples.weight[2]"];
-        self.weight.check(&length, names)?;
+        self.weight.check(&length, &WEIGHTS)?;
         Ok(length)
+    }
+
+    #[inline(always)]
+    fn in_place(&mut self, _: usize) -> Option<&mut Self::Block> {
+        None
+    }
+
+    #[inline(always)]
+    fn write(&mut self, start: usize, block: &Self::Block) {
+        self.wi.write(start, block.wi());
+        self.weight.write(start, &block.weight);
+        copy_front(&block.wi_pdf[3], part(self.pdf, start));
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (wi, wi_rest) = match self.wi {
+            DirectionBuffer::Vectors(vectors) => {
+                let (first, second) = vectors.split_at_mut(middle);
+                (DirectionBuffer::Vectors(first), DirectionBuffer::Vectors(second))
+            }
+            DirectionBuffer::Planes(mut planes) => {
+                let second = planes.each_mut().map(|plane| split_off(plane, middle));
+                (DirectionBuffer::Planes(planes), DirectionBuffer::Planes(second))
+            }
+        };
+        let (weight, weight_rest) = self.weight.split(middle);
+        let (pdf, pdf_rest) = self.pdf.split_at_mut(middle);
+        (Self { wi, weight, pdf }, Self { wi: wi_rest, weight: weight_rest, pdf: pdf_rest })
+    }
+}
+
+/// Leaves what comes before an element in the slice, and gives the rest.
+#[cfg(feature = "rayon")]
+fn split_off<'a, T>(slice: &mut &'a mut [T], middle: usize) -> &'a mut [T] {
+    let (first, second) = core::mem::take(slice).split_at_mut(middle);
+    *slice = first;
+    second
+}
+
+/// What an argument with channels, and each of its first channels, is called in errors.
+struct Names {
+    whole: &'static str,
+    channels: [&'static str; 16],
+}
+
+macro_rules! names {
+    ($whole:literal: $($channel:literal)*) => {
+        Names { whole: $whole, channels: [$( concat!($whole, "[", $channel, "]") ),*] }
+    };
+}
+const VALUES: Names = names!("values": 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+const WEIGHTS: Names = names!("samples.weight": 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15);
+
+impl Names {
+    fn channel(&self, channel: usize) -> &'static str {
+        self.channels.get(channel).unwrap_or(&self.whole)
     }
 }
 
@@ -274,27 +289,27 @@ impl<'a, T: Real, P: AsMut<[T]> + ?Sized> From<[&'a mut P; 3]> for DirectionBuff
     }
 }
 
-impl<'a, T, C, P: AsMut<[C]> + ?Sized> From<&'a mut P> for ColorBuffer<'a, T, C> {
+impl<'a, T: Real, C: Color<T>, P: AsMut<[C]> + ?Sized> From<&'a mut P> for ColorBuffer<'a, T, C> {
     fn from(colors: &'a mut P) -> Self {
         Self::Colors(colors.as_mut())
     }
 }
 
-impl<'a, T, C, P: AsMut<[T]> + ?Sized> From<[&'a mut P; 3]> for ColorBuffer<'a, T, C> {
-    fn from(planes: [&'a mut P; 3]) -> Self {
-        Self::Planes(planes.map(AsMut::as_mut))
+impl<'a, T, C, P, const N: usize> From<[&'a mut P; N]> for ColorBuffer<'a, T, C>
+where
+    T: Real,
+    C: Color<T>,
+    C::Channels<&'a mut [T]>: From<[&'a mut [T]; N]>,
+    P: AsMut<[T]> + ?Sized,
+{
+    fn from(planes: [&'a mut P; N]) -> Self {
+        Self::Planes(planes.map(AsMut::as_mut).into())
     }
-}
-
-/// Writes what there is room for of a block of numbers that begins at `start`.
-#[inline(always)]
-pub(crate) fn write_plane<T: Real>(to: &mut [T], start: usize, block: &Plane<T>) {
-    copy_front(block, part(to, start));
 }
 
 /// The block of a buffer that begins at `start`, if it is whole.
 #[inline(always)]
-pub(super) fn whole_mut<V>(buffer: &mut [V], start: usize) -> Option<&mut [V; BLOCK]> {
+fn whole<V>(buffer: &mut [V], start: usize) -> Option<&mut [V; BLOCK]> {
     buffer.get_mut(start..).and_then(<[V]>::first_chunk_mut)
 }
 

@@ -1,88 +1,108 @@
 //! A block of directions in the layout that SIMD code wants: one array per component.
 //!
-//! Batches run block by block, by loops of a fixed length ([`Answers::fill`]) that the compiler turns
-//! into SIMD code.
+//! Batches run block by block, by loops of a fixed length ([`fill`], [`Color::fill`]) that the
+//! compiler turns into SIMD code.
 
 use super::instruction_set::InstructionSet;
-use crate::real::{Real, Vector};
+use crate::real::{Color, Real, Vector};
 
-/// Directions in a block.
-pub(crate) const BLOCK: usize = 128;
+/// The number of directions in a block.
+pub const BLOCK: usize = 128;
 
 /// One number of each direction of a block.
-pub(crate) type Plane<T> = [T; BLOCK];
+pub type Plane<T> = [T; BLOCK];
 
-/// Answers of a block.
-pub(crate) trait Answers {
-    /// The answer for one direction.
-    type Answer;
+/// The colours of a block: one plane for each channel.
+pub type ColorBlock<T, C> = <C as Color<T>>::Channels<Plane<T>>;
 
-    /// Answers for the directions of a block, by their places in it.
-    ///
-    /// That is one loop that writes by index through exclusive references among its own arguments
-    /// and hands them to no other function. Only so does the compiler see that no answer changes what
-    /// the formula reads next.
-    fn fill(&mut self, formula: impl Fn(usize) -> Self::Answer);
-}
-
-impl<E: Copy> Answers for [E; BLOCK] {
-    type Answer = E;
-
-    #[inline(always)]
-    #[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
-    fn fill(&mut self, formula: impl Fn(usize) -> E) {
-        for index in 0..BLOCK {
-            self[index] = formula(index);
-        }
-    }
-}
-
-/// The components of the directions of a block, wherever they lie.
+/// The directions of a block, wherever their components lie.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Components<'a, T>(pub(crate) [&'a Plane<T>; 3]);
+pub struct DirectionBlock<'a, T>(pub [&'a Plane<T>; 3]);
 
-impl<T: Real> Components<'_, T> {
+impl<'a, T: Real> DirectionBlock<'a, T> {
+    /// The directions whose components fill three planes.
     #[inline(always)]
-    pub(crate) fn at(&self, index: usize) -> T::Vec3 {
+    #[must_use]
+    pub const fn new([x, y, z]: &'a [Plane<T>; 3]) -> Self {
+        Self([x, y, z])
+    }
+
+    /// One of the directions.
+    #[inline(always)]
+    #[must_use]
+    pub fn at(&self, index: usize) -> T::Vec3 {
         Vector::new(self.0[0][index], self.0[1][index], self.0[2][index])
     }
 }
 
-/// Memory for the components of the directions of a block.
+/// The samples of a block.
 #[derive(Debug)]
-pub(crate) struct Planes<T, const COUNT: usize>(pub(crate) [Plane<T>; COUNT]);
+pub struct SampleBlock<T: Real, C: Color<T>> {
+    /// [`Sample::weight`](crate::Sample::weight).
+    pub weight: ColorBlock<T, C>,
+    /// The components of [`Sample::wi`](crate::Sample::wi) and [`Sample::pdf`](crate::Sample::pdf).
+    pub wi_pdf: [Plane<T>; 4],
+}
 
-impl<T: Real, const COUNT: usize> Planes<T, COUNT> {
+impl<T: Real, C: Color<T>> SampleBlock<T, C> {
+    /// Samples of no direction.
     #[inline(always)]
-    pub(crate) fn new() -> Self {
-        Self([[T::zero(); BLOCK]; COUNT])
+    #[must_use]
+    pub fn new() -> Self {
+        let zero = [T::zero(); BLOCK];
+        Self { weight: C::by_channel(|_| zero), wi_pdf: [zero; 4] }
+    }
+
+    /// [`Sample::wi`](crate::Sample::wi).
+    #[inline(always)]
+    #[must_use]
+    pub const fn wi(&self) -> DirectionBlock<'_, T> {
+        let [x, y, z, _] = &self.wi_pdf;
+        DirectionBlock([x, y, z])
     }
 }
 
-impl<T: Real> Planes<T, 3> {
-    #[inline(always)]
-    pub(crate) fn components(&self) -> Components<'_, T> {
-        Components([&self.0[0], &self.0[1], &self.0[2]])
-    }
-
-    #[inline(always)]
-    pub(crate) fn set(&mut self, index: usize, w: T::Vec3) {
-        self.0[0][index] = w.x();
-        self.0[1][index] = w.y();
-        self.0[2][index] = w.z();
+impl<T: Real, C: Color<T>> Default for SampleBlock<T, C> {
+    fn default() -> Self {
+        Self::new()
     }
 }
 
-impl<T: Real> Answers for Planes<T, 3> {
-    type Answer = T::Vec3;
+/// Fills planes with what a formula answers for the places of a block: for numbers what
+/// [`Color::fill`] is for colours, and as fast.
+#[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
+pub(crate) fn fill<T: Real, const M: usize>(
+    planes: &mut [Plane<T>; M],
+    formula: impl Fn(usize) -> [T; M],
+) {
+    for index in 0..BLOCK {
+        let numbers = formula(index);
+        for number in 0..M {
+            planes[number][index] = numbers[number];
+        }
+    }
+}
 
-    #[inline(always)]
-    fn fill(&mut self, formula: impl Fn(usize) -> T::Vec3) {
-        for index in 0..BLOCK {
-            let w = formula(index);
-            self.0[0][index] = w.x();
-            self.0[1][index] = w.y();
-            self.0[2][index] = w.z();
+/// Changes some planes and fills others, as [`fill`]: the formula is told what stands at its place.
+#[inline(always)]
+#[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
+pub(crate) fn refill<T: Real, const M: usize, const K: usize>(
+    planes: &mut [Plane<T>; M],
+    others: &mut [Plane<T>; K],
+    formula: impl Fn(usize, [T; M]) -> ([T; M], [T; K]),
+) {
+    for index in 0..BLOCK {
+        let mut before = [T::zero(); M];
+        for number in 0..M {
+            before[number] = planes[number][index];
+        }
+        let (after, beside) = formula(index, before);
+        for number in 0..M {
+            planes[number][index] = after[number];
+        }
+        for number in 0..K {
+            others[number][index] = beside[number];
         }
     }
 }

@@ -1,166 +1,84 @@
-//! The loops over blocks. They know numbers and colours, but no model, and are compiled once for
-//! all of them.
+//! The one loop behind all batches. It knows numbers and colours, but no model.
 
 use super::error::{BatchError, Length};
-use super::input::{Directions, Uniforms};
 use super::instruction_set::InstructionSet;
-use super::output::{ColorBuffer, SampleBuffer, whole_mut, write_plane};
-use super::planes::{BLOCK, Components, Plane, Planes, within};
-use super::values::{Samples, Slots, Values};
-use crate::real::{Color, Real};
+use super::planes::{BLOCK, Plane, within};
+use crate::real::Real;
 
-const WI: [&str; 4] = ["wi", "wi.x", "wi.y", "wi.z"];
-const WO: [&str; 4] = ["wo", "wo.x", "wo.y", "wo.z"];
-const VALUES: [&str; 4] = ["values", "values[0]", "values[1]", "values[2]"];
+/// What a batch reads: `N` numbers for each element.
+pub(crate) trait Input<T: Real, const N: usize>: Copy {
+    /// Whether all slices have the length.
+    fn check(&self, length: &Length) -> Result<(), BatchError>;
 
-/// The length of a batch of values, if all slices have it.
-pub(crate) fn check_eval<T: Real, C: Color<T>>(
-    wi: Directions<'_, T>,
-    wo: Directions<'_, T>,
-    values: &ColorBuffer<'_, T, C>,
+    /// The block that begins at `start`: in place if it is whole, else in `memory` and filled up
+    /// with its first element, since a formula may rely on what it is asked.
+    fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; N]) -> [&'b Plane<T>; N];
+
+    /// What comes before an element, and the rest.
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self);
+}
+
+/// What a batch writes.
+pub(crate) trait Output: Sized {
+    /// The answers of a block.
+    type Block;
+
+    /// Memory for a block.
+    fn memory() -> Self::Block;
+
+    /// The length that all slices must have, if they agree.
+    fn length(&self) -> Result<Length, BatchError>;
+
+    /// The block that begins at `start` in the caller's memory, if it is whole and lies there as
+    /// loops want it.
+    fn in_place(&mut self, start: usize) -> Option<&mut Self::Block>;
+
+    /// Writes what there is room for of a block that begins at `start`.
+    fn write(&mut self, start: usize, block: &Self::Block);
+
+    /// What comes before an element, and the rest.
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self);
+}
+
+/// The length of a batch, if all slices have it.
+pub(crate) fn check<T: Real, const N: usize>(
+    input: &impl Input<T, N>,
+    output: &impl Output,
 ) -> Result<usize, BatchError> {
-    let length = values.length(VALUES)?;
-    wi.check(&length, WI)?;
-    wo.check(&length, WO)?;
+    let length = output.length()?;
+    input.check(&length)?;
     Ok(length.get())
 }
 
-/// The length of a batch of densities, if all slices have it.
-pub(crate) fn check_pdf<T: Real>(
-    wi: Directions<'_, T>,
-    wo: Directions<'_, T>,
-    pdf: &[T],
-) -> Result<usize, BatchError> {
-    let length = Length::of("pdf", pdf.len());
-    wi.check(&length, WI)?;
-    wo.check(&length, WO)?;
-    Ok(length.get())
-}
+/// The answers for a block of elements that begins at a place of the batch.
+pub(crate) type Block<'a, T, B, const N: usize> =
+    &'a mut dyn FnMut(InstructionSet, usize, [&Plane<T>; N], &mut B) -> Result<(), BatchError>;
 
-/// The length of a batch of samples, if all slices have it.
-pub(crate) fn check_sample<T: Real, C: Color<T>>(
-    wo: Directions<'_, T>,
-    u: Uniforms<'_, T>,
-    samples: &SampleBuffer<'_, T, C>,
-) -> Result<usize, BatchError> {
-    let length = samples.length()?;
-    wo.check(&length, WO)?;
-    u.check(&length)?;
-    Ok(length.get())
-}
-
-/// Values of a block of pairs that begins at a place of the batch.
-pub(crate) type EvalBlock<'a, T, C> = &'a mut dyn FnMut(
-    InstructionSet,
-    usize,
-    Components<'_, T>,
-    Components<'_, T>,
-    Slots<'_, T, C>,
-) -> Result<(), BatchError>;
-
-/// Runs `block` for every block of pairs and writes the values.
+/// Runs `block` for every block of a batch and writes the answers.
 #[inline(never)]
-pub(crate) fn eval<T: Real, C: Color<T>>(
-    wi: Directions<'_, T>,
-    wo: Directions<'_, T>,
-    mut values: ColorBuffer<'_, T, C>,
-    block: EvalBlock<'_, T, C>,
+pub(crate) fn run<T: Real, O: Output, const N: usize>(
+    input: impl Input<T, N>,
+    mut output: O,
+    block: Block<'_, T, O::Block, N>,
 ) -> Result<(), BatchError> {
-    let length = check_eval(wi, wo, &values)?;
+    let length = check(&input, &output)?;
     let set = InstructionSet::selected();
     within::<T, _>(
         set,
         #[inline(always)]
         || {
-            let (mut wi_memory, mut wo_memory) = (Planes::new(), Planes::new());
-            let mut result = Values::new();
+            let mut memory = [[T::zero(); BLOCK]; N];
+            let mut result = O::memory();
             for start in (0..length).step_by(BLOCK) {
-                let wi = wi.block(start, &mut wi_memory);
-                let wo = wo.block(start, &mut wo_memory);
-                if let Some(slots) = values.slots(start, &mut result) {
-                    block(set, start, wi, wo, slots)?;
+                let planes = input.planes(start, &mut memory);
+                if let Some(place) = output.in_place(start) {
+                    block(set, start, planes, place)?;
                 } else {
-                    block(set, start, wi, wo, result.slots())?;
-                    values.write(start, &result);
+                    block(set, start, planes, &mut result)?;
+                    output.write(start, &result);
                 }
-            }
-            Ok(())
-        },
-    )
-}
-
-/// Densities of a block of pairs that begins at a place of the batch.
-pub(crate) type PdfBlock<'a, T> = &'a dyn Fn(
-    InstructionSet,
-    usize,
-    Components<'_, T>,
-    Components<'_, T>,
-    &mut Plane<T>,
-) -> Result<(), BatchError>;
-
-/// Runs `block` for every block of pairs and writes the densities.
-#[inline(never)]
-pub(crate) fn pdf<T: Real>(
-    wi: Directions<'_, T>,
-    wo: Directions<'_, T>,
-    pdf: &mut [T],
-    block: PdfBlock<'_, T>,
-) -> Result<(), BatchError> {
-    let length = check_pdf(wi, wo, pdf)?;
-    let set = InstructionSet::selected();
-    within::<T, _>(
-        set,
-        #[inline(always)]
-        || {
-            let (mut wi_memory, mut wo_memory) = (Planes::new(), Planes::new());
-            let mut result = [T::zero(); BLOCK];
-            for start in (0..length).step_by(BLOCK) {
-                let wi = wi.block(start, &mut wi_memory);
-                let wo = wo.block(start, &mut wo_memory);
-                if let Some(pdf) = whole_mut(pdf, start) {
-                    block(set, start, wi, wo, pdf)?;
-                } else {
-                    block(set, start, wi, wo, &mut result)?;
-                    write_plane(pdf, start, &result);
-                }
-            }
-            Ok(())
-        },
-    )
-}
-
-/// Samples of a block of viewers that begins at a place of the batch.
-pub(crate) type SampleBlock<'a, T, C> = &'a mut dyn FnMut(
-    InstructionSet,
-    usize,
-    Components<'_, T>,
-    [&Plane<T>; 2],
-    &mut Samples<T, C>,
-) -> Result<(), BatchError>;
-
-/// Runs `block` for every block of viewers and writes the samples.
-#[inline(never)]
-pub(crate) fn sample<T: Real, C: Color<T>>(
-    wo: Directions<'_, T>,
-    u: Uniforms<'_, T>,
-    mut samples: SampleBuffer<'_, T, C>,
-    block: SampleBlock<'_, T, C>,
-) -> Result<(), BatchError> {
-    let length = check_sample(wo, u, &samples)?;
-    let set = InstructionSet::selected();
-    within::<T, _>(
-        set,
-        #[inline(always)]
-        || {
-            let (mut wo_memory, mut u_memory) = (Planes::new(), Planes::new());
-            let mut result = Samples::new();
-            for start in (0..length).step_by(BLOCK) {
-                let wo = wo.block(start, &mut wo_memory);
-                let u = u.block(start, &mut u_memory);
-                block(set, start, wo, u, &mut result)?;
-                samples.wi.write(start, &result.wi);
-                samples.weight.write(start, &result.weight);
-                write_plane(samples.pdf, start, &result.pdf);
             }
             Ok(())
         },

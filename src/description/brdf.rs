@@ -2,20 +2,18 @@
 
 use alloc::vec::Vec;
 
-use super::any::AnyBrdf;
 use super::distribution::DistributionDescription;
 use super::error::{DescriptionError, Problem};
 use super::form::{entrance, forms, part, words};
 use super::fresnel::FresnelDescription;
-use super::model::{Blinn1977Form, Lobe, Model, Shadowed};
-use super::normals::Normals;
 use super::place::{Place, Record};
 use super::value::{ColorDescription, RoughnessDescription, colored};
+use crate::any::AnyBrdf;
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::{Beckmann, Blinn1977};
 use crate::error::range;
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
-use crate::microfacet::{Blinn1977Printed, CookTorrance};
+use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
 use crate::real::Real;
 use crate::sum::WeightedSum;
 
@@ -160,101 +158,94 @@ impl BrdfDescription {
     /// If a value is outside its range, a metal is not known, Smith's shadowing is asked for a
     /// distribution that does not have it, or sums and mixtures are too deep or too long.
     pub fn build<T: Real>(&self) -> Result<AnyBrdf<T>, DescriptionError> {
-        Ok(self.checked(&Place::root(&Record::default()))?.boxed())
+        self.checked(&Place::root(&Record::default()))
     }
 
-    pub(super) fn checked<T: Real>(&self, place: &Place<'_>) -> Result<Model<T>, DescriptionError> {
+    pub(super) fn checked<T: Real>(
+        &self,
+        place: &Place<'_>,
+    ) -> Result<AnyBrdf<T>, DescriptionError> {
         Ok(match self {
             Self::Lambert { albedo } => {
                 let built = Lambert::new(albedo.color::<T>());
                 let colors = [("albedo", *albedo)];
-                Model::Lambert(colored::<T, _>(&place.key("lambert"), &colors, built)?)
+                AnyBrdf::from(colored::<T, _>(&place.key("lambert"), &colors, built)?)
             }
             Self::OrenNayar { albedo, sigma, interreflection } => {
                 let new =
                     if *interreflection { OrenNayar::with_interreflection } else { OrenNayar::new };
                 let built = new(albedo.color::<T>(), T::lit(*sigma));
                 let colors = [("albedo", *albedo)];
-                Model::OrenNayar(colored::<T, _>(&place.key("oren_nayar"), &colors, built)?)
+                AnyBrdf::from(colored::<T, _>(&place.key("oren_nayar"), &colors, built)?)
             }
             Self::Phong { specular, exponent, normalized } => {
                 let (place, colors) = (place.key("phong"), [("specular", *specular)]);
                 let (specular, exponent) = (specular.color::<T>(), T::lit(*exponent));
-                Model::Lobe(if *normalized {
+                if *normalized {
                     let built = Phong::new(specular, exponent);
-                    Lobe::Phong(colored::<T, _>(&place, &colors, built)?)
+                    AnyBrdf::from(colored::<T, _>(&place, &colors, built)?)
                 } else {
                     let built = ClassicPhong::new(specular, exponent);
-                    Lobe::ClassicPhong(colored::<T, _>(&place, &colors, built)?)
-                })
+                    AnyBrdf::from(colored::<T, _>(&place, &colors, built)?)
+                }
             }
             Self::BlinnPhong { specular, exponent, normalized } => {
                 let (place, colors) = (place.key("blinn_phong"), [("specular", *specular)]);
                 let new = if *normalized { BlinnPhong::new } else { BlinnPhong::unnormalized };
                 let built = new(specular.color::<T>(), T::lit(*exponent));
-                Model::Lobe(Lobe::BlinnPhong(colored::<T, _>(&place, &colors, built)?))
+                AnyBrdf::from(colored::<T, _>(&place, &colors, built)?)
             }
             Self::SchlickPower { specular, exponent, normalized } => {
                 let (place, colors) = (place.key("schlick_power"), [("specular", *specular)]);
                 let new = if *normalized { SchlickPower::new } else { SchlickPower::unnormalized };
                 let built = new(specular.color::<T>(), T::lit(*exponent));
-                Model::Lobe(Lobe::SchlickPower(colored::<T, _>(&place, &colors, built)?))
+                AnyBrdf::from(colored::<T, _>(&place, &colors, built)?)
             }
             Self::CookTorrance { distribution, fresnel, shadowing } => {
                 let place = place.key("cook_torrance");
-                let normals = distribution.checked(&place.key("distribution"))?;
-                let reflectance = fresnel.checked(&place.key("fresnel"))?;
-                let shadowed = shadowed(normals, *shadowing)
-                    .ok_or_else(|| place.key("shadowing").error(Problem::NoSmith))?;
-                Model::CookTorrance(shadowed, reflectance)
+                let distribution = distribution.checked(&place.key("distribution"))?;
+                let fresnel = fresnel.checked(&place.key("fresnel"))?;
+                let shadowing = match shadowing {
+                    ShadowingDescription::VCavity => AnyShadowing::VCavity,
+                    ShadowingDescription::Smith => AnyShadowing::SmithCorrelated,
+                    ShadowingDescription::SmithSeparable => AnyShadowing::SmithSeparable,
+                };
+                if shadowing != AnyShadowing::VCavity && !distribution.has_smith() {
+                    return Err(place.key("shadowing").error(Problem::NoSmith));
+                }
+                AnyBrdf::from(CookTorrance::new(distribution, fresnel).with_shadowing(shadowing))
             }
             Self::TorranceSparrow1967 { c, fresnel } => {
                 let place = place.key("torrance_sparrow_1967");
                 let built = CookTorrance::torrance_sparrow_1967(T::lit(*c), ());
-                let normals = Normals::Gaussian(*place.parameters(built)?.distribution());
-                Model::CookTorrance(
-                    Shadowed::VCavity(normals),
-                    fresnel.checked(&place.key("fresnel"))?,
-                )
+                let distribution = *place.parameters(built)?.distribution();
+                let fresnel = fresnel.checked(&place.key("fresnel"))?;
+                AnyBrdf::from(CookTorrance::new(distribution, fresnel))
             }
             Self::CookTorrance1982Printed { roughness, fresnel } => {
                 let place = place.key("cook_torrance_1982_printed");
                 let built = roughness.distribution(&place, Beckmann::new, Beckmann::anisotropic);
-                Model::CookTorrance1982Printed(built?, fresnel.checked(&place.key("fresnel"))?)
+                let fresnel = fresnel.checked(&place.key("fresnel"))?;
+                AnyBrdf::from(CookTorrance1982Printed::new(built?, fresnel))
             }
             Self::Blinn1977Printed { distribution, beta, fresnel } => {
                 let place = place.key("blinn_1977_printed");
                 let blinn = place.parameters(Blinn1977::new(T::lit(*beta)))?;
-                let distribution = match distribution {
+                let fresnel = fresnel.checked(&place.key("fresnel"))?;
+                match distribution {
                     Blinn1977Description::D1 => {
-                        Blinn1977Printed::d1(blinn, ()).map(Blinn1977Form::D1)
+                        place.parameters(Blinn1977Printed::d1(blinn, fresnel))?.into()
                     }
                     Blinn1977Description::D2 => {
-                        Blinn1977Printed::d2(blinn, ()).map(Blinn1977Form::D2)
+                        place.parameters(Blinn1977Printed::d2(blinn, fresnel))?.into()
                     }
                     Blinn1977Description::D3 => {
-                        Blinn1977Printed::d3(blinn, ()).map(Blinn1977Form::D3)
+                        place.parameters(Blinn1977Printed::d3(blinn, fresnel))?.into()
                     }
-                };
-                Model::Blinn1977Printed(
-                    place.parameters(distribution)?,
-                    fresnel.checked(&place.key("fresnel"))?,
-                )
+                }
             }
-            Self::Sum(terms) => Model::Sum(sum(terms, &place.key("sum"))?),
+            Self::Sum(terms) => AnyBrdf::from(sum(terms, &place.key("sum"))?),
         })
-    }
-}
-
-/// The distribution with the shadowing that is asked for, if it has it.
-fn shadowed<T: Real>(normals: Normals<T>, shadowing: ShadowingDescription) -> Option<Shadowed<T>> {
-    match (shadowing, normals) {
-        (ShadowingDescription::VCavity, normals) => Some(Shadowed::VCavity(normals)),
-        (ShadowingDescription::Smith, Normals::Smith(normals)) => Some(Shadowed::Smith(normals)),
-        (ShadowingDescription::SmithSeparable, Normals::Smith(normals)) => {
-            Some(Shadowed::SmithSeparable(normals))
-        }
-        _ => None,
     }
 }
 
@@ -262,7 +253,7 @@ fn shadowed<T: Real>(normals: Normals<T>, shadowing: ShadowingDescription) -> Op
 fn sum<T: Real>(
     terms: &[WeightedBrdf],
     place: &Place<'_>,
-) -> Result<WeightedSum<Model<T>, T::Vec3, T>, DescriptionError> {
+) -> Result<WeightedSum<AnyBrdf<T>, T::Vec3, T>, DescriptionError> {
     let mut checked = Vec::new();
     for (index, term) in terms.iter().enumerate() {
         let place = place.term(index)?;

@@ -1,15 +1,12 @@
 //! Distributions of facet normals.
 
-use alloc::boxed::Box;
 use alloc::vec::Vec;
 
-use super::any::AnyDistribution;
 use super::error::DescriptionError;
 use super::form::{entrance, forms, part};
-use super::normals::{Mixed, Normals, SmithNormals, each_distribution};
 use super::place::{Place, Record};
 use super::value::RoughnessDescription;
-use crate::distribution::{Beckmann, Blinn, Gaussian, Ggx};
+use crate::distribution::{AnyDistribution, AnyMixture, Beckmann, Blinn, Gaussian, Ggx};
 use crate::error::range;
 use crate::real::Real;
 
@@ -70,32 +67,31 @@ impl DistributionDescription {
     /// # Errors
     /// If a value is outside its range, or a mixture is too deep or too long.
     pub fn build<T: Real>(&self) -> Result<AnyDistribution<T>, DescriptionError> {
-        let normals = self.checked(&Place::root(&Record::default()))?;
-        Ok(each_distribution!(normals, distribution => Box::new(distribution)))
+        self.checked(&Place::root(&Record::default()))
     }
 
     pub(super) fn checked<T: Real>(
         &self,
         place: &Place<'_>,
-    ) -> Result<Normals<T>, DescriptionError> {
+    ) -> Result<AnyDistribution<T>, DescriptionError> {
         Ok(match self {
-            Self::Gaussian { roughness } => Normals::Gaussian(
+            Self::Gaussian { roughness } => AnyDistribution::from(
                 place.key("gaussian").parameters(Gaussian::new(T::lit(*roughness)))?,
             ),
             Self::Beckmann { roughness } => {
                 let place = place.key("beckmann");
                 let built = roughness.distribution(&place, Beckmann::new, Beckmann::anisotropic);
-                Normals::Smith(SmithNormals::Beckmann(built?))
+                AnyDistribution::from(built?)
             }
             Self::Ggx { roughness } => {
                 let place = place.key("ggx");
                 let built = roughness.distribution(&place, Ggx::new, Ggx::anisotropic);
-                Normals::Smith(SmithNormals::Ggx(built?))
+                AnyDistribution::from(built?)
             }
             Self::Blinn { exponent } => {
-                Normals::Blinn(place.key("blinn").parameters(Blinn::new(T::lit(*exponent)))?)
+                AnyDistribution::from(place.key("blinn").parameters(Blinn::new(T::lit(*exponent)))?)
             }
-            Self::Mixture(terms) => mixture(terms, &place.key("mixture"))?.into_normals(),
+            Self::Mixture(terms) => mixture(terms, &place.key("mixture"))?.into(),
         })
     }
 }
@@ -104,20 +100,13 @@ impl DistributionDescription {
 fn mixture<T: Real>(
     terms: &[WeightedDistribution],
     place: &Place<'_>,
-) -> Result<Mixed<T>, DescriptionError> {
-    let mut total = T::zero();
+) -> Result<AnyMixture<T>, DescriptionError> {
     let mut checked = Vec::new();
     for (index, term) in terms.iter().enumerate() {
         let place = place.term(index)?;
         let weight = T::lit(term.weight);
         place.parameters(range::WEIGHT.check("weight", weight))?;
-        total = total + weight;
         checked.push((weight, term.distribution.checked(&place.key("distribution"))?));
     }
-    place.parameter(range::TOTAL_WEIGHT.check("sum of weights", total))?;
-    let mut mixed = Mixed::new();
-    for (weight, normals) in checked {
-        mixed.add(weight / total, normals);
-    }
-    Ok(mixed)
+    place.parameter(AnyMixture::new(checked))
 }

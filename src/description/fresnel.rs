@@ -1,14 +1,12 @@
 //! Fresnel terms.
 
-use alloc::boxed::Box;
 use alloc::string::String;
 
-use super::any::AnyFresnel;
 use super::error::{DescriptionError, Problem};
 use super::form::{entrance, forms};
 use super::place::{Place, Record};
 use super::value::{ColorDescription, IndexDescription, colored};
-use crate::fresnel::{Conductor, Constant, Cook, Dielectric, Hall, Schlick};
+use crate::fresnel::{AnyFresnel, Conductor, Constant, Cook, Dielectric, Hall, Schlick};
 use crate::real::Real;
 
 forms! {
@@ -67,73 +65,43 @@ forms! {
 }
 entrance!(FresnelDescription);
 
-/// A checked Fresnel term.
-pub(super) enum Reflectance<T: Real> {
-    Constant(Constant<T::Vec3>),
-    Dielectric(Dielectric<T::Vec3>),
-    Conductor(Conductor<T::Vec3>),
-    Schlick(Schlick<T::Vec3>),
-    Hall(Hall<T::Vec3, Dielectric<T>>),
-    HallOfConductor(Hall<T::Vec3, Conductor<T>>),
-    Cook(Cook<T::Vec3, Dielectric<T>>),
-    CookOfConductor(Cook<T::Vec3, Conductor<T>>),
-}
-
-/// The same expression for every type of Fresnel term.
-macro_rules! each_fresnel {
-    ($term:expr, $fresnel:ident => $result:expr) => {
-        match $term {
-            $crate::description::fresnel::Reflectance::Constant($fresnel) => $result,
-            $crate::description::fresnel::Reflectance::Dielectric($fresnel) => $result,
-            $crate::description::fresnel::Reflectance::Conductor($fresnel) => $result,
-            $crate::description::fresnel::Reflectance::Schlick($fresnel) => $result,
-            $crate::description::fresnel::Reflectance::Hall($fresnel) => $result,
-            $crate::description::fresnel::Reflectance::HallOfConductor($fresnel) => $result,
-            $crate::description::fresnel::Reflectance::Cook($fresnel) => $result,
-            $crate::description::fresnel::Reflectance::CookOfConductor($fresnel) => $result,
-        }
-    };
-}
-pub(super) use each_fresnel;
-
 impl FresnelDescription {
     /// The Fresnel term in a number of choice.
     ///
     /// # Errors
     /// If a value is outside its range or the metal is not known.
     pub fn build<T: Real>(&self) -> Result<AnyFresnel<T>, DescriptionError> {
-        let reflectance = self.checked(&Place::root(&Record::default()))?;
-        Ok(each_fresnel!(reflectance, fresnel => Box::new(fresnel)))
+        self.checked(&Place::root(&Record::default()))
     }
 
     pub(super) fn checked<T: Real>(
         &self,
         place: &Place<'_>,
-    ) -> Result<Reflectance<T>, DescriptionError> {
+    ) -> Result<AnyFresnel<T>, DescriptionError> {
         Ok(match self {
             Self::Constant(reflectance) => {
                 let built = Constant::new(reflectance.color::<T>());
                 let place = place.key("constant");
-                Reflectance::Constant(reflectance.parameter::<T, _>(&place, built)?)
+                AnyFresnel::from(reflectance.parameter::<T, _>(&place, built)?)
             }
             Self::Dielectric { ior } => {
                 let built = Dielectric::new(ior.color::<T>());
                 let (place, colors) = (place.key("dielectric"), [("ior", *ior)]);
-                Reflectance::Dielectric(colored::<T, _>(&place, &colors, built)?)
+                AnyFresnel::from(colored::<T, _>(&place, &colors, built)?)
             }
             Self::Conductor { eta, k } => {
                 let built = Conductor::new(eta.color::<T>(), k.color::<T>());
                 let (place, colors) = (place.key("conductor"), [("eta", *eta), ("k", *k)]);
-                Reflectance::Conductor(colored::<T, _>(&place, &colors, built)?)
+                AnyFresnel::from(colored::<T, _>(&place, &colors, built)?)
             }
             Self::Metal(name) => {
                 let place = place.key("metal");
-                Reflectance::Conductor(metal::<T>(name).map_err(|problem| place.error(problem))?)
+                AnyFresnel::from(metal::<T>(name).map_err(|problem| place.error(problem))?)
             }
             Self::Schlick { f0 } => {
                 let built = Schlick::new(f0.color::<T>());
                 let (place, colors) = (place.key("schlick"), [("f0", *f0)]);
-                Reflectance::Schlick(colored::<T, _>(&place, &colors, built)?)
+                AnyFresnel::from(colored::<T, _>(&place, &colors, built)?)
             }
             Self::Hall { f0, ior } => {
                 let (place, colors) = (place.key("hall"), [("f0", *f0)]);
@@ -141,11 +109,11 @@ impl FresnelDescription {
                 match *ior {
                     IndexDescription::Real(ior) => {
                         let built = Hall::new(f0, T::lit(ior));
-                        Reflectance::Hall(colored::<T, _>(&place, &colors, built)?)
+                        AnyFresnel::from(colored::<T, _>(&place, &colors, built)?)
                     }
                     IndexDescription::Complex(ior) => {
                         let built = Hall::with_reference(f0, conductor(ior, &place)?);
-                        Reflectance::HallOfConductor(colored::<T, _>(&place, &colors, built)?)
+                        AnyFresnel::from(colored::<T, _>(&place, &colors, built)?)
                     }
                 }
             }
@@ -155,11 +123,11 @@ impl FresnelDescription {
                 match *ior {
                     IndexDescription::Real(ior) => {
                         let built = Cook::new(f0, light, T::lit(ior));
-                        Reflectance::Cook(colored::<T, _>(&place, &colors, built)?)
+                        AnyFresnel::from(colored::<T, _>(&place, &colors, built)?)
                     }
                     IndexDescription::Complex(ior) => {
                         let built = Cook::with_reference(f0, light, conductor(ior, &place)?);
-                        Reflectance::CookOfConductor(colored::<T, _>(&place, &colors, built)?)
+                        AnyFresnel::from(colored::<T, _>(&place, &colors, built)?)
                     }
                 }
             }

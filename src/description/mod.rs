@@ -79,21 +79,18 @@
 //!
 //! [`build`]: BrdfDescription::build
 
-mod any;
 mod bounds;
 mod brdf;
 mod distribution;
 mod error;
 mod form;
 mod fresnel;
-mod model;
-mod normals;
 mod parse;
 mod place;
 mod value;
 
 pub use self::brdf::{Blinn1977Description, BrdfDescription, ShadowingDescription, WeightedBrdf};
-pub use any::{AnyBrdf, AnyDistribution, AnyFresnel};
+pub use crate::{AnyBrdf, AnyDistribution, AnyFresnel};
 pub use bounds::{MAX_DEPTH, MAX_TERMS};
 pub use distribution::{DistributionDescription, WeightedDistribution};
 pub use error::{DescriptionError, Problem};

@@ -42,12 +42,7 @@ impl<T: Real, D, const N: usize> Mixture<T, D, N> {
     /// If a weight is not in 0 … 10¹⁰ or the sum of the weights is not in 10⁻³⁰ … 10³⁰.
     pub fn new(components: [(T, D); N]) -> Result<Self, ParameterError> {
         let weights = components.each_ref().map(|(weight, _)| *weight);
-        let mut total = T::zero();
-        for weight in weights {
-            range::WEIGHT.check("weight", weight)?;
-            total = total + weight;
-        }
-        range::TOTAL_WEIGHT.check("sum of weights", total)?;
+        let total = self::weights(weights)?;
         Ok(Self {
             weights: weights.map(|weight| weight / total),
             distributions: components.map(|(_, distribution)| distribution),
@@ -75,6 +70,17 @@ impl<T: Real, D, const N: usize> Mixture<T, D, N> {
         }
         sum
     }
+}
+
+/// The sum of the weights of a mixture, if they are in range.
+pub(super) fn weights<T: Real>(weights: impl IntoIterator<Item = T>) -> Result<T, ParameterError> {
+    let mut total = T::zero();
+    for weight in weights {
+        range::WEIGHT.check("weight", weight)?;
+        total = total + weight;
+    }
+    range::TOTAL_WEIGHT.check("sum of weights", total)?;
+    Ok(total)
 }
 
 /// A draw from one of several distributions, offered one after the other with probabilities that

@@ -1,16 +1,21 @@
 //! Distributions of facet normals: how the small mirrors of a rough surface are tilted.
 
+mod any;
+mod any_mixture;
 mod beckmann;
 mod blinn;
 mod blinn_1977;
 mod gaussian;
 mod gaussian_tilts;
 mod ggx;
-pub(crate) mod mixture;
+mod mixture;
 mod normal_slopes;
 mod roughness;
 mod traits;
 
+pub use any::AnyDistribution;
+pub(crate) use any::{each_distribution, each_smith};
+pub use any_mixture::AnyMixture;
 pub use beckmann::Beckmann;
 pub use blinn::Blinn;
 pub use blinn_1977::Blinn1977;

@@ -1,8 +1,12 @@
 //! What a distribution of facet normals can do.
 
 use alloc::boxed::Box;
+use core::array;
 
-use crate::block::{BatchError, Directions, parts};
+use crate::block::{
+    BatchError, DirectionBlock, Directions, InstructionSet, Normals, Numbers, Plane, fill, run,
+    within,
+};
 use crate::real::{Real, Vector};
 
 /// A distribution of facet normals, D(h) in sr⁻¹, normalised to ∫ D(h) (N·h) dω_h = 1.
@@ -27,19 +31,63 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     /// [`Brdf::sample`](crate::Brdf::sample).
     fn sample(&self, u: [T; 2]) -> T::Vec3;
 
+    /// [`density`](Self::density) for a block of directions, as
+    /// [`Brdf::eval_block`](crate::Brdf::eval_block).
+    fn density_block(
+        &self,
+        set: InstructionSet,
+        h: DirectionBlock<'_, T>,
+        densities: &mut Plane<T>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    array::from_mut(densities),
+                    #[inline(always)]
+                    |index| [self.density(h.at(index))],
+                );
+            },
+        );
+    }
+
+    /// [`sample`](Self::sample) for a block of uniform numbers, as
+    /// [`Brdf::eval_block`](crate::Brdf::eval_block): the components of `h` fill the first three
+    /// planes.
+    #[inline(never)]
+    fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    h,
+                    #[inline(always)]
+                    |index| components(self.sample([u[0][index], u[1][index]])),
+                );
+            },
+        );
+    }
+
     /// [`density`](Self::density) for many directions, bit for bit, at the speed of SIMD code: see
     /// [`batch`](crate::batch).
     ///
     /// # Errors
     /// If slices differ in length.
     fn density_batch(&self, h: Directions<'_, T>, densities: &mut [T]) -> Result<(), BatchError> {
-        parts::density(
-            h,
-            densities,
-            #[inline(always)]
-            |h| self.density(h),
-        )
+        let output = Numbers(densities, "densities");
+        run(Normals(h), output, &mut |set, _, h, densities| {
+            self.density_block(set, DirectionBlock(h), densities);
+            Ok(())
+        })
     }
+}
+
+/// A normal, and a number without meaning beside it.
+#[inline(always)]
+fn components<T: Real>(h: T::Vec3) -> [T; 4] {
+    [h.x(), h.y(), h.z(), T::zero()]
 }
 
 /// A distribution for which Smith's shadowing is known in closed form.
@@ -60,6 +108,31 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     /// a unit vector that does not lie below the surface. A `wo` that is no direction above the
     /// surface counts as the normal.
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
+
+    /// [`sample_visible`](Self::sample_visible) for a block of viewers, as
+    /// [`Distribution::sample_block`].
+    #[inline(never)]
+    fn sample_visible_block(
+        &self,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        u: [&Plane<T>; 2],
+        h: &mut [Plane<T>; 4],
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    h,
+                    #[inline(always)]
+                    |index| {
+                        components(self.sample_visible(wo.at(index), [u[0][index], u[1][index]]))
+                    },
+                );
+            },
+        );
+    }
 }
 
 macro_rules! forward {
@@ -77,12 +150,16 @@ macro_rules! forward {
             fn sample(&self, u: [T; 2]) -> T::Vec3 {
                 (**self).sample(u)
             }
-            fn density_batch(
+            fn density_block(
                 &self,
-                h: Directions<'_, T>,
-                densities: &mut [T],
-            ) -> Result<(), BatchError> {
-                (**self).density_batch(h, densities)
+                set: InstructionSet,
+                h: DirectionBlock<'_, T>,
+                densities: &mut Plane<T>,
+            ) {
+                (**self).density_block(set, h, densities);
+            }
+            fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
+                (**self).sample_block(set, u, h);
             }
         }
 
@@ -98,6 +175,15 @@ macro_rules! forward {
             #[inline(always)]
             fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(wo, u)
+            }
+            fn sample_visible_block(
+                &self,
+                set: InstructionSet,
+                wo: DirectionBlock<'_, T>,
+                u: [&Plane<T>; 2],
+                h: &mut [Plane<T>; 4],
+            ) {
+                (**self).sample_visible_block(set, wo, u, h);
             }
         }
     };

@@ -4,6 +4,7 @@
 //! [`Cook`] approximate them from the colour at normal incidence. [`forms`] has the equations as
 //! they are printed in textbooks.
 
+mod any;
 mod conductor;
 mod constant;
 mod dielectric;
@@ -14,6 +15,7 @@ mod polarized;
 mod schlick;
 mod term;
 
+pub use any::AnyFresnel;
 pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
 pub use dielectric::{Dielectric, dielectric_polarized};
@@ -22,3 +24,4 @@ pub use normal_incidence::{index_from_normal_incidence, normal_incidence};
 pub use polarized::Polarized;
 pub use schlick::Schlick;
 pub use term::Fresnel;
+pub(crate) use term::reflected;

@@ -2,9 +2,11 @@
 
 use alloc::boxed::Box;
 
-use crate::block::{BatchError, ColorBuffer, parts};
+use crate::block::{
+    BatchError, ColorBlock, ColorBuffer, Cosines, InstructionSet, Plane, run, within,
+};
 use crate::quadrature::integrate;
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, in_place};
 
 /// The reflectance of a smooth surface for unpolarised light.
 ///
@@ -45,23 +47,84 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         average_over_cosine(|cos| self.reflectance(cos))
     }
 
+    /// [`reflectance`](Self::reflectance) for a block of cosines, as
+    /// [`Brdf::eval_block`](crate::Brdf::eval_block).
+    fn reflectance_block(
+        &self,
+        set: InstructionSet,
+        cos_theta: &Plane<T>,
+        values: &mut ColorBlock<T, Self::Color>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                Self::Color::fill(
+                    values,
+                    &mut [],
+                    #[inline(always)]
+                    |index| (self.reflectance(cos_theta[index]), []),
+                );
+            },
+        );
+    }
+
+    /// [`reflected`] for a block of facets.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn reflected_block(
+        &self,
+        set: InstructionSet,
+        mirrored: &[Plane<T>; 2],
+        values: &mut ColorBlock<T, Self::Color>,
+    ) {
+        let [cos, scale] = mirrored;
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                Self::Color::fill(
+                    values,
+                    &mut [],
+                    #[inline(always)]
+                    |index| (reflected(self, cos[index], scale[index]), []),
+                );
+            },
+        );
+    }
+
     /// [`reflectance`](Self::reflectance) for many cosines, bit for bit, at the speed of SIMD code: see
     /// [`batch`](crate::batch).
     ///
     /// # Errors
-    /// If slices differ in length, or `values` in the number of channels.
+    /// If slices differ in length.
     fn reflectance_batch(
         &self,
         cos_theta: &[T],
         values: ColorBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        parts::reflectance(
-            cos_theta,
-            values,
-            #[inline(always)]
-            |cos| self.reflectance(cos),
-        )
+        run(Cosines(cos_theta), values, &mut |set, _, [cos_theta], values| {
+            self.reflectance_block(set, cos_theta, values);
+            Ok(())
+        })
     }
+}
+
+/// The reflectance times all else that a facet's reflection consists of. A Fresnel term that
+/// contains the light exceeds 1.
+#[inline(always)]
+pub(crate) fn reflected<T: Real, F: Fresnel<T> + ?Sized>(
+    fresnel: &F,
+    cos: T,
+    scale: T,
+) -> F::Color {
+    in_place::<T, _>(
+        #[inline(always)]
+        || {
+            let value = fresnel.reflectance(cos) * scale;
+            value.map(|value| value.min(T::max_finite()))
+        },
+    )
 }
 
 macro_rules! forward {
@@ -76,12 +139,21 @@ macro_rules! forward {
             fn average(&self) -> F::Color {
                 (**self).average()
             }
-            fn reflectance_batch(
+            fn reflectance_block(
                 &self,
-                cos_theta: &[T],
-                values: ColorBuffer<'_, T, F::Color>,
-            ) -> Result<(), BatchError> {
-                (**self).reflectance_batch(cos_theta, values)
+                set: InstructionSet,
+                cos_theta: &Plane<T>,
+                values: &mut ColorBlock<T, F::Color>,
+            ) {
+                (**self).reflectance_block(set, cos_theta, values);
+            }
+            fn reflected_block(
+                &self,
+                set: InstructionSet,
+                mirrored: &[Plane<T>; 2],
+                values: &mut ColorBlock<T, F::Color>,
+            ) {
+                (**self).reflected_block(set, mirrored, values);
             }
         }
     };

@@ -1,16 +1,10 @@
-use super::facets::{DrawBlock, Facets, Mirrored, MirroredBlock};
-use super::shadowing::Shadowing;
+use super::shadowing::{Draw, Mirrored, Shadowing, draw, mirrored, pdf};
 use super::v_cavity::VCavity;
-use crate::block::formula::calls;
-use crate::block::planes::{Answers, within};
-use crate::block::values::Slots;
-use crate::block::{
-    BatchError, ColorBuffer, Directions, InstructionSet, SampleBuffer, Uniforms, run,
-};
+use crate::block::{BLOCK, ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::distribution::Distribution;
-use crate::fresnel::Fresnel;
-use crate::real::{Color, Lift, Real, in_place, lift};
+use crate::fresnel::{Fresnel, reflected};
+use crate::real::{Lift, Real, lift};
 
 /// The microfacet model: a surface of small mirrors.
 ///
@@ -96,6 +90,11 @@ impl<D, F, S> CookTorrance<D, F, S> {
         CookTorrance { distribution: self.distribution, fresnel: self.fresnel, shadowing }
     }
 
+    /// The distribution, the Fresnel term and the shadowing.
+    pub(crate) fn into_parts(self) -> (D, F, S) {
+        (self.distribution, self.fresnel, self.shadowing)
+    }
+
     /// The distribution of the facets' normals.
     #[must_use]
     pub const fn distribution(&self) -> &D {
@@ -106,11 +105,6 @@ impl<D, F, S> CookTorrance<D, F, S> {
     #[must_use]
     pub const fn fresnel(&self) -> &F {
         &self.fresnel
-    }
-
-    #[inline(always)]
-    const fn facets(&self) -> Facets<'_, D, S> {
-        Facets { distribution: &self.distribution, shadowing: &self.shadowing }
     }
 }
 
@@ -129,97 +123,61 @@ where
 {
     type Color = F::Color;
 
-    #[inline]
+    #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
-        reflected(&self.fresnel, self.facets().mirrored(wi, wo))
+        let Mirrored { cos, scale } = mirrored(&self.distribution, &self.shadowing, wi, wo);
+        reflected(&self.fresnel, cos, scale)
     }
 
-    #[inline]
+    #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        self.facets().pdf(wi, wo)
+        pdf(&self.distribution, &self.shadowing, wi, wo)
     }
 
-    #[inline]
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
-        let draw = self.facets().draw::<T>(wo, u);
-        Sample { wi: draw.wi, weight: reflected(&self.fresnel, draw.weight), pdf: draw.pdf }
+        let Draw { wi, pdf, weight } = draw(&self.distribution, &self.shadowing, wo, u);
+        Sample { wi, weight: reflected(&self.fresnel, weight.cos, weight.scale), pdf }
     }
 
-    fn eval_batch(
+    // In stages, each a loop of its own. A stage is compiled once for each pair of distribution and
+    // shadowing and once for each Fresnel term, not for each combination of all three; and the
+    // shorter a loop, the more of its turns a processor works on at once.
+
+    fn eval_block(
         &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        values: ColorBuffer<'_, T, F::Color>,
-    ) -> Result<(), BatchError> {
-        if !T::VECTORIZES {
-            return calls::eval(wi, wo, values, |wi, wo| self.eval(wi, wo));
-        }
-        let mut mirrored = MirroredBlock::new();
-        run::eval(wi, wo, values, &mut |set, _, wi, wo, values| {
-            self.facets().mirrored_block(set, wi, wo, &mut mirrored);
-            reflect_block(&self.fresnel, set, &mirrored, values);
-            Ok(())
-        })
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
+        values: &mut ColorBlock<T, F::Color>,
+    ) {
+        let mut mirrored = [[T::zero(); BLOCK]; 2];
+        self.shadowing.mirrored_block(&self.distribution, set, [wi, wo], &mut mirrored);
+        self.fresnel.reflected_block(set, &mirrored, values);
     }
 
-    fn pdf_batch(
+    fn pdf_block(
         &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        pdf: &mut [T],
-    ) -> Result<(), BatchError> {
-        if !T::VECTORIZES {
-            return calls::pdf(wi, wo, pdf, |wi, wo| self.pdf(wi, wo));
-        }
-        self.facets().pdf_batch(wi, wo, pdf)
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
+        pdf: &mut Plane<T>,
+    ) {
+        self.shadowing.pdf_block(&self.distribution, set, [wi, wo], pdf);
     }
 
-    fn sample_batch(
+    fn sample_block(
         &self,
-        wo: Directions<'_, T>,
-        u: Uniforms<'_, T>,
-        samples: SampleBuffer<'_, T, F::Color>,
-    ) -> Result<(), BatchError> {
-        if !T::VECTORIZES {
-            return calls::sample(wo, u, samples, |wo, u| self.sample(wo, u).into_parts());
-        }
-        let mut draws = DrawBlock::new();
-        run::sample(wo, u, samples, &mut |set, _, wo, u, samples| {
-            let drawn = (&mut samples.wi, &mut samples.pdf);
-            self.facets().draw_block(set, wo, u, drawn, &mut draws);
-            reflect_block(&self.fresnel, set, &draws.weight, samples.weight.slots());
-            Ok(())
-        })
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        u: [&Plane<T>; 2],
+        samples: &mut SampleBlock<T, F::Color>,
+    ) {
+        let (distribution, shadowing) = (&self.distribution, &self.shadowing);
+        let SampleBlock { weight, wi_pdf } = samples;
+        let mut mirrored = [[T::zero(); BLOCK]; 2];
+        shadowing.sample_visible_block(distribution, set, wo, u, wi_pdf);
+        shadowing.mirror_block(distribution, set, wo, wi_pdf, &mut mirrored);
+        self.fresnel.reflected_block(set, &mirrored, weight);
     }
-}
-
-/// The reflectance times the rest. A Fresnel term that contains the light exceeds 1.
-#[inline(always)]
-fn reflected<T: Real, F: Fresnel<T>>(fresnel: &F, mirrored: Mirrored<T>) -> F::Color {
-    in_place::<T, _>(
-        #[inline(always)]
-        || {
-            let value = fresnel.reflectance(mirrored.cos) * mirrored.scale;
-            value.map(|value| value.min(T::max_finite()))
-        },
-    )
-}
-
-#[inline(never)]
-fn reflect_block<T: Real, F: Fresnel<T>>(
-    fresnel: &F,
-    set: InstructionSet,
-    mirrored: &MirroredBlock<T>,
-    mut values: Slots<'_, T, F::Color>,
-) {
-    within::<T, _>(
-        set,
-        #[inline(always)]
-        || {
-            values.fill(
-                #[inline(always)]
-                |index| reflected(fresnel, mirrored.at(index)),
-            );
-        },
-    );
 }

@@ -1,14 +1,14 @@
-//! The model as it was first printed, with the conventions of its time.
+//! Models as they were first printed, with the conventions of their time.
 
 use core::f64::consts::PI;
 
 use super::cook_torrance::CookTorrance;
-use crate::block::{BatchError, ColorBuffer, Directions, SampleBuffer, Uniforms};
-use crate::brdf::{Brdf, Sample};
+use super::scaled::Scaled;
+use crate::brdf::Brdf;
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx};
 use crate::error::{ParameterError, Range};
 use crate::fresnel::Fresnel;
-use crate::real::{Color, Lift, Real, Vector, lift};
+use crate::real::{Real, Vector};
 
 impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
     /// The model of Torrance and Sparrow: D = b exp(−c²α²) with the tilt α in degrees, and V-cavity
@@ -64,73 +64,13 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
 /// assert!((f - 0.04 / (std::f64::consts::PI * 0.09)).abs() < 1e-12);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CookTorrance1982Printed<F, T = f32> {
-    model: CookTorrance<Beckmann<T>, F>,
-}
+pub type CookTorrance1982Printed<F, T = f32> = Scaled<CookTorrance<Beckmann<T>, F>, T>;
 
-impl<F, T> CookTorrance1982Printed<F, T> {
+impl<F, T: Real> CookTorrance1982Printed<F, T> {
     /// A surface with these normals and this reflectance.
     #[must_use]
-    pub const fn new(distribution: Beckmann<T>, fresnel: F) -> Self {
-        Self { model: CookTorrance::new(distribution, fresnel) }
-    }
-}
-
-lift! {
-    [T: Real, F: Lift<T>] CookTorrance1982Printed<F, T>
-        => CookTorrance1982Printed<F::Over<U>, U>:
-    CookTorrance1982Printed { model: part }
-}
-
-impl<T: Real, F: Fresnel<T>> Brdf<T> for CookTorrance1982Printed<F, T> {
-    type Color = F::Color;
-
-    #[inline(always)]
-    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
-        scaled(self.model.eval(wi, wo), T::lit(4.0))
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        self.model.pdf(wi, wo)
-    }
-
-    #[inline(always)]
-    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
-        let sample = self.model.sample(wo, u);
-        Sample { weight: scaled(sample.weight, T::lit(4.0)), ..sample }
-    }
-
-    fn eval_batch(
-        &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        mut values: ColorBuffer<'_, T, F::Color>,
-    ) -> Result<(), BatchError> {
-        self.model.eval_batch(wi, wo, values.reborrow())?;
-        values.map(|value| limited(value * T::lit(4.0)));
-        Ok(())
-    }
-
-    fn pdf_batch(
-        &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        pdf: &mut [T],
-    ) -> Result<(), BatchError> {
-        self.model.pdf_batch(wi, wo, pdf)
-    }
-
-    fn sample_batch(
-        &self,
-        wo: Directions<'_, T>,
-        u: Uniforms<'_, T>,
-        mut samples: SampleBuffer<'_, T, F::Color>,
-    ) -> Result<(), BatchError> {
-        self.model.sample_batch(wo, u, samples.reborrow())?;
-        samples.weight.map(|weight| limited(weight * T::lit(4.0)));
-        Ok(())
+    pub fn new(distribution: Beckmann<T>, fresnel: F) -> Self {
+        Self::of(CookTorrance::new(distribution, fresnel), T::lit(4.0))
     }
 }
 
@@ -166,12 +106,7 @@ impl<T: Real, F: Fresnel<T>> Brdf<T> for CookTorrance1982Printed<F, T> {
 /// assert!((s - 0.04).abs() < 1e-12);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blinn1977Printed<D, F, T = f32> {
-    model: CookTorrance<D, F>,
-    /// 4/D(N).
-    scale: T,
-}
+pub type Blinn1977Printed<D, F, T = f32> = Scaled<CookTorrance<D, F>, T>;
 
 impl<F, T: Real> Blinn1977Printed<Blinn<T>, F, T> {
     /// With D₁, Phong's lobe around the half vector.
@@ -179,7 +114,7 @@ impl<F, T: Real> Blinn1977Printed<Blinn<T>, F, T> {
     /// # Errors
     /// If c₁ is above the range of [`Blinn`]'s exponent.
     pub fn d1(distribution: Blinn1977<T>, fresnel: F) -> Result<Self, ParameterError> {
-        Ok(Self::of(Blinn::new(distribution.c1())?, fresnel))
+        Ok(Self::with_maximum_1(Blinn::new(distribution.c1())?, fresnel))
     }
 }
 
@@ -189,7 +124,7 @@ impl<F, T: Real> Blinn1977Printed<Gaussian<T>, F, T> {
     /// # Errors
     /// If 1/c₂ is outside the range of [`Gaussian`]'s roughness.
     pub fn d2(distribution: Blinn1977<T>, fresnel: F) -> Result<Self, ParameterError> {
-        Ok(Self::of(Gaussian::new(T::one() / distribution.c2())?, fresnel))
+        Ok(Self::with_maximum_1(Gaussian::new(T::one() / distribution.c2())?, fresnel))
     }
 }
 
@@ -199,7 +134,7 @@ impl<F, T: Real> Blinn1977Printed<Ggx<T>, F, T> {
     /// # Errors
     /// If c₃ is outside the range of [`Ggx`]'s roughness.
     pub fn d3(distribution: Blinn1977<T>, fresnel: F) -> Result<Self, ParameterError> {
-        Ok(Self::of(Ggx::new(distribution.c3())?, fresnel))
+        Ok(Self::with_maximum_1(Ggx::new(distribution.c3())?, fresnel))
     }
 }
 
@@ -208,20 +143,11 @@ where
     T: Real,
     D: Distribution<T>,
 {
-    fn of(distribution: D, fresnel: F) -> Self {
+    /// The model with D divided by its value at the normal.
+    fn with_maximum_1(distribution: D, fresnel: F) -> Self {
         let normal = Vector::new(T::zero(), T::zero(), T::one());
         let scale = T::lit(4.0) / distribution.density(normal);
-        Self { model: CookTorrance::new(distribution, fresnel), scale }
-    }
-
-    /// The same normals with another reflectance.
-    #[cfg(feature = "serde")]
-    pub(crate) fn with_fresnel<G>(self, fresnel: G) -> Blinn1977Printed<D, G, T>
-    where
-        D: Copy,
-    {
-        let model = CookTorrance::new(*self.model.distribution(), fresnel);
-        Blinn1977Printed { model, scale: self.scale }
+        Self::of(CookTorrance::new(distribution, fresnel), scale)
     }
 
     /// The printed s = D G F/(N·E): reflected intensity for light of intensity 1 from `wi`. It is
@@ -235,77 +161,4 @@ where
         // The BRDF is zero where the clamp takes part.
         self.eval(wi, wo) * wi.z().clamp(T::zero(), T::one())
     }
-}
-
-lift! {
-    [T: Real, D: Lift<T>, F: Lift<T>] Blinn1977Printed<D, F, T>
-        => Blinn1977Printed<D::Over<U>, F::Over<U>, U>:
-    Blinn1977Printed { model: part, scale: number }
-}
-
-impl<T, D, F> Brdf<T> for Blinn1977Printed<D, F, T>
-where
-    T: Real,
-    D: Distribution<T>,
-    F: Fresnel<T>,
-{
-    type Color = F::Color;
-
-    #[inline(always)]
-    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
-        scaled(self.model.eval(wi, wo), self.scale)
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        self.model.pdf(wi, wo)
-    }
-
-    #[inline(always)]
-    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
-        let sample = self.model.sample(wo, u);
-        Sample { weight: scaled(sample.weight, self.scale), ..sample }
-    }
-
-    fn eval_batch(
-        &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        mut values: ColorBuffer<'_, T, F::Color>,
-    ) -> Result<(), BatchError> {
-        self.model.eval_batch(wi, wo, values.reborrow())?;
-        values.map(|value| limited(value * self.scale));
-        Ok(())
-    }
-
-    fn pdf_batch(
-        &self,
-        wi: Directions<'_, T>,
-        wo: Directions<'_, T>,
-        pdf: &mut [T],
-    ) -> Result<(), BatchError> {
-        self.model.pdf_batch(wi, wo, pdf)
-    }
-
-    fn sample_batch(
-        &self,
-        wo: Directions<'_, T>,
-        u: Uniforms<'_, T>,
-        mut samples: SampleBuffer<'_, T, F::Color>,
-    ) -> Result<(), BatchError> {
-        self.model.sample_batch(wo, u, samples.reborrow())?;
-        samples.weight.map(|weight| limited(weight * self.scale));
-        Ok(())
-    }
-}
-
-/// A colour times a number, saturated.
-#[inline(always)]
-fn scaled<T: Real, C: Color<T>>(color: C, scale: T) -> C {
-    (color * scale).map(limited)
-}
-
-#[inline(always)]
-fn limited<T: Real>(value: T) -> T {
-    value.min(T::max_finite())
 }

@@ -1,14 +1,17 @@
 //! Surfaces of many small mirrors: shadowing of the facets, and their reflection.
 
+mod any_shadowing;
 mod cook_torrance;
-mod facets;
 mod historical;
+mod scaled;
 mod shadowing;
 mod smith;
 mod v_cavity;
 
+pub use any_shadowing::AnyShadowing;
 pub use cook_torrance::CookTorrance;
 pub use historical::{Blinn1977Printed, CookTorrance1982Printed};
+pub use scaled::Scaled;
 pub use shadowing::Shadowing;
 pub use smith::{SmithCorrelated, SmithSeparable};
 pub use v_cavity::VCavity;

@@ -1,9 +1,13 @@
-//! What a model of shadowing and masking can do.
+//! What a model of shadowing and masking can do, and what it makes together with a distribution: a
+//! surface of facets, all but the Fresnel term.
 
 use alloc::boxed::Box;
+use core::array;
 
-use crate::direction::Pair;
-use crate::real::Real;
+use crate::block::{DirectionBlock, InstructionSet, Plane, fill, refill, within};
+use crate::direction::{Pair, above_or_normal, above_surface, reflect};
+use crate::distribution::Distribution;
+use crate::real::{Mask, Real, Vector, in_place};
 
 /// The fraction of facets that are neither shadowed from the light nor masked from the viewer,
 /// for a surface whose facets are distributed as `D`.
@@ -12,7 +16,7 @@ use crate::real::Real;
 /// hidden from `w` alone. Every answer is one quantity without a quotient of two vanishing ones,
 /// finite also where the cosines and G go to zero together. The geometry of a [`Pair`] must have
 /// `wo` above the surface; [`masking`](Self::masking) does not ask where `wi` is.
-pub trait Shadowing<T: Real, D>: Send + Sync {
+pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     /// G(wi, wo, h) / (4 (N·wi) (N·wo)): times D and F it is the BRDF.
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T;
 
@@ -28,11 +32,229 @@ pub trait Shadowing<T: Real, D>: Send + Sync {
     /// A `wo` that is no direction above the surface counts as the normal. The uniform numbers are
     /// taken as by [`Brdf::sample`](crate::Brdf::sample).
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
+
+    /// [`sample_visible`](Self::sample_visible) for a block of viewers: the components of `h` fill
+    /// the first three planes.
+    fn sample_visible_block(
+        &self,
+        distribution: &D,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        u: [&Plane<T>; 2],
+        h: &mut [Plane<T>; 4],
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    h,
+                    #[inline(always)]
+                    |index| {
+                        let u = [u[0][index], u[1][index]];
+                        let h = self.sample_visible(distribution, wo.at(index), u);
+                        [h.x(), h.y(), h.z(), T::zero()]
+                    },
+                );
+            },
+        );
+    }
+
+    /// [`Mirrored`] for a block of pairs.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn mirrored_block(
+        &self,
+        distribution: &D,
+        set: InstructionSet,
+        [wi, wo]: [DirectionBlock<'_, T>; 2],
+        mirrored_planes: &mut [Plane<T>; 2],
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    mirrored_planes,
+                    #[inline(always)]
+                    |index| mirrored(distribution, self, wi.at(index), wo.at(index)).planes(),
+                );
+            },
+        );
+    }
+
+    /// The density of samples for a block of pairs.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn pdf_block(
+        &self,
+        distribution: &D,
+        set: InstructionSet,
+        [wi, wo]: [DirectionBlock<'_, T>; 2],
+        densities: &mut Plane<T>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    array::from_mut(densities),
+                    #[inline(always)]
+                    |index| [pdf(distribution, self, wi.at(index), wo.at(index))],
+                );
+            },
+        );
+    }
+
+    /// [`Draw`] for a block of viewers, from normals in the first three planes, in whose place
+    /// come direction and density.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn mirror_block(
+        &self,
+        distribution: &D,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        wi_pdf: &mut [Plane<T>; 4],
+        weight: &mut [Plane<T>; 2],
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                refill(
+                    wi_pdf,
+                    weight,
+                    #[inline(always)]
+                    |index, [x, y, z, _]| {
+                        let h = Vector::new(x, y, z);
+                        let Draw { wi, pdf, weight } = mirror(distribution, self, wo.at(index), h);
+                        ([wi.x(), wi.y(), wi.z(), pdf], weight.planes())
+                    },
+                );
+            },
+        );
+    }
+}
+
+/// Light that facets mirror: what the Fresnel term is asked, and what its answer is multiplied by.
+#[derive(Clone, Copy)]
+pub(super) struct Mirrored<T> {
+    /// The cosine of the angle of incidence on the facet, at most 1.
+    pub(super) cos: T,
+    /// Zero where there is no reflection.
+    pub(super) scale: T,
+}
+
+impl<T> Mirrored<T> {
+    #[inline(always)]
+    fn planes(self) -> [T; 2] {
+        [self.cos, self.scale]
+    }
+}
+
+/// A direction drawn by visible normals.
+#[derive(Clone, Copy)]
+pub(super) struct Draw<T: Real> {
+    pub(super) wi: T::Vec3,
+    pub(super) pdf: T,
+    /// What the weight consists of.
+    pub(super) weight: Mirrored<T>,
+}
+
+/// D G / (4 (N·wi) (N·wo)).
+#[inline(always)]
+pub(super) fn mirrored<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
+    distribution: &D,
+    shadowing: &S,
+    wi: T::Vec3,
+    wo: T::Vec3,
+) -> Mirrored<T> {
+    in_place::<T, _>(
+        #[inline(always)]
+        || {
+            let pair = Pair::new(wi, wo);
+            let visibility = shadowing.visibility(distribution, &pair);
+            let value = (distribution.density_along(pair.sum) * visibility).min(T::max_finite());
+            Mirrored { cos: cos_d(&pair), scale: value.only_where(pair.above) }
+        },
+    )
+}
+
+/// D G₁ / (4 N·wo).
+#[inline(always)]
+pub(super) fn pdf<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
+    distribution: &D,
+    shadowing: &S,
+    wi: T::Vec3,
+    wo: T::Vec3,
+) -> T {
+    in_place::<T, _>(
+        #[inline(always)]
+        || {
+            let pair = Pair::new(wi, wo);
+            density(distribution, shadowing, &pair).only_where(pair.above)
+        },
+    )
+}
+
+#[inline(always)]
+pub(super) fn draw<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
+    distribution: &D,
+    shadowing: &S,
+    wo: T::Vec3,
+    u: [T; 2],
+) -> Draw<T> {
+    in_place::<T, _>(
+        #[inline(always)]
+        || mirror(distribution, shadowing, wo, shadowing.sample_visible(distribution, wo, u)),
+    )
+}
+
+/// What a facet of the drawn normal `h` mirrors to the viewer.
+#[inline(always)]
+fn mirror<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
+    distribution: &D,
+    shadowing: &S,
+    wo: T::Vec3,
+    h: T::Vec3,
+) -> Draw<T> {
+    let above = above_surface::<T, _>(wo);
+    let wo = above_or_normal::<T, _>(wo);
+    let wi = reflect(wo, h);
+    // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
+    let pair = Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above));
+    let unshadowed = shadowing.unshadowed(distribution, &pair);
+    Draw {
+        wi,
+        pdf: density(distribution, shadowing, &pair).only_where(pair.above),
+        weight: Mirrored { cos: cos_d(&pair), scale: unshadowed.only_where(pair.above) },
+    }
+}
+
+/// The density of the samples, whether or not the light is above the surface.
+#[inline(always)]
+fn density<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
+    distribution: &D,
+    shadowing: &S,
+    pair: &Pair<T>,
+) -> T {
+    let masking = shadowing.masking(distribution, pair);
+    (distribution.density_along(pair.sum) * masking).min(T::max_finite())
+}
+
+/// The cosine that the Fresnel term is asked for. That of a pair exceeds 1 by the rounding of the
+/// directions' lengths.
+#[inline(always)]
+fn cos_d<T: Real>(pair: &Pair<T>) -> T {
+    pair.cos_d.min(T::one())
 }
 
 macro_rules! forward {
     ($pointer:ty) => {
-        impl<T: Real, D, S: Shadowing<T, D> + ?Sized> Shadowing<T, D> for $pointer {
+        impl<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized> Shadowing<T, D>
+            for $pointer
+        {
             #[inline(always)]
             fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
                 (**self).visibility(distribution, pair)
@@ -48,6 +270,44 @@ macro_rules! forward {
             #[inline(always)]
             fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(distribution, wo, u)
+            }
+            fn sample_visible_block(
+                &self,
+                distribution: &D,
+                set: InstructionSet,
+                wo: DirectionBlock<'_, T>,
+                u: [&Plane<T>; 2],
+                h: &mut [Plane<T>; 4],
+            ) {
+                (**self).sample_visible_block(distribution, set, wo, u, h);
+            }
+            fn mirrored_block(
+                &self,
+                distribution: &D,
+                set: InstructionSet,
+                pairs: [DirectionBlock<'_, T>; 2],
+                mirrored: &mut [Plane<T>; 2],
+            ) {
+                (**self).mirrored_block(distribution, set, pairs, mirrored);
+            }
+            fn pdf_block(
+                &self,
+                distribution: &D,
+                set: InstructionSet,
+                pairs: [DirectionBlock<'_, T>; 2],
+                densities: &mut Plane<T>,
+            ) {
+                (**self).pdf_block(distribution, set, pairs, densities);
+            }
+            fn mirror_block(
+                &self,
+                distribution: &D,
+                set: InstructionSet,
+                wo: DirectionBlock<'_, T>,
+                wi_pdf: &mut [Plane<T>; 4],
+                weight: &mut [Plane<T>; 2],
+            ) {
+                (**self).mirror_block(distribution, set, wo, wi_pdf, weight);
             }
         }
     };

@@ -1,4 +1,5 @@
 use super::shadowing::Shadowing;
+use crate::block::{DirectionBlock, InstructionSet, Plane};
 use crate::direction::Pair;
 use crate::distribution::Smith;
 use crate::real::{Real, lift};
@@ -68,6 +69,27 @@ pub struct SmithSeparable;
 lift!(SmithCorrelated);
 lift!(SmithSeparable);
 
+/// Both kinds mask alike, so that the same normals are visible.
+macro_rules! sampled_by_the_distribution {
+    () => {
+        #[inline(always)]
+        fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+            distribution.sample_visible(wo, u)
+        }
+
+        fn sample_visible_block(
+            &self,
+            distribution: &D,
+            set: InstructionSet,
+            wo: DirectionBlock<'_, T>,
+            u: [&Plane<T>; 2],
+            h: &mut [Plane<T>; 4],
+        ) {
+            distribution.sample_visible_block(set, wo, u, h);
+        }
+    };
+}
+
 impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
     #[inline(always)]
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
@@ -88,10 +110,7 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
         (pair.cos_i * (pair.cos_o + area_o) / seen).min(T::one())
     }
 
-    #[inline(always)]
-    fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        distribution.sample_visible(wo, u)
-    }
+    sampled_by_the_distribution!();
 }
 
 impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
@@ -114,10 +133,7 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
         (T::lit(2.0) * pair.cos_i / seen_twice).min(T::one())
     }
 
-    #[inline(always)]
-    fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        distribution.sample_visible(wo, u)
-    }
+    sampled_by_the_distribution!();
 }
 
 /// A(wi) and A(wo) with A(w) = (1 + 2Λ(w)) N·w.

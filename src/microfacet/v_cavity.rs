@@ -1,6 +1,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use super::shadowing::Shadowing;
+use crate::block::{BLOCK, DirectionBlock, InstructionSet, Plane, refill, within};
 use crate::direction::{Pair, above_or_normal};
 use crate::distribution::Distribution;
 use crate::real::{Real, Vector, iterate, lift};
@@ -81,27 +82,74 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
 
     #[inline(always)]
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let wo = above_or_normal::<T, _>(wo);
-        let ([tilt, place], one) = (uniform(u), T::one());
-        // All facets of this tilt: (x cosψ, y sinψ, z), of which one eighth of a turn shows both
-        // x/√2 and y/√2.
-        let facet = distribution.sample([tilt, T::lit(0.125)]);
-        let (x, y, z) = (facet.x() * T::lit(SQRT_2), facet.y() * T::lit(SQRT_2), facet.z());
-        // wo·h = z wo_z + r cos(ψ − ψ₀) with (r cosψ₀, r sinψ₀) = (x wo_x, y wo_y).
-        let (r_cos, r_sin) = (x * wo.x(), y * wo.y());
-        let r = (r_cos.squared() + r_sin.squared()).sqrt();
-        // A smaller r does not change the density of the azimuth by as much as a rounding, and its
-        // square has no digits in single precision.
-        let tilted = r.gt(T::lit(1e-18));
-        let inverse = one / T::select(tilted, r, one);
-        let cos_0 = T::select(tilted, r_cos * inverse, one);
-        let sin_0 = (r_sin * inverse).only_where(tilted);
-        let k = (r / (z * wo.z())).only_where(tilted);
-        let (cos, sin) = visible_azimuth(k, place);
-        let facet: T::Vec3 =
-            Vector::new(x * (cos_0 * cos - sin_0 * sin), y * (sin_0 * cos + cos_0 * sin), z);
-        Vector::normalize_or_normal(facet)
+        let [tilt, place] = uniform(u);
+        visible_of_tilt::<T>(distribution.sample([tilt, T::lit(EIGHTH)]), wo, place)
     }
+
+    fn sample_visible_block(
+        &self,
+        distribution: &D,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        [tilt, place]: [&Plane<T>; 2],
+        h: &mut [Plane<T>; 4],
+    ) {
+        distribution.sample_block(set, [tilt, &[T::lit(EIGHTH); BLOCK]], h);
+        visible_block(set, wo, place, h);
+    }
+}
+
+/// The second stage of a block of visible normals: it is the same for all distributions.
+#[inline(never)]
+fn visible_block<T: Real>(
+    set: InstructionSet,
+    wo: DirectionBlock<'_, T>,
+    place: &Plane<T>,
+    h: &mut [Plane<T>; 4],
+) {
+    within::<T, _>(
+        set,
+        #[inline(always)]
+        || {
+            refill(
+                h,
+                &mut [],
+                #[inline(always)]
+                |index, [x, y, z, _]| {
+                    let [place, _] = uniform([place[index]; 2]);
+                    let facet = Vector::new(x, y, z);
+                    let h = visible_of_tilt::<T>(facet, wo.at(index), place);
+                    ([h.x(), h.y(), h.z(), T::zero()], [])
+                },
+            );
+        },
+    );
+}
+
+/// An eighth of a turn.
+const EIGHTH: f64 = 0.125;
+
+/// The visible normal whose tilt is that of a facet at an eighth of a turn.
+#[inline(always)]
+fn visible_of_tilt<T: Real>(facet: T::Vec3, wo: T::Vec3, place: T) -> T::Vec3 {
+    let (wo, one) = (above_or_normal::<T, _>(wo), T::one());
+    // All facets of this tilt: (x cosψ, y sinψ, z), of which one eighth of a turn shows both
+    // x/√2 and y/√2.
+    let (x, y, z) = (facet.x() * T::lit(SQRT_2), facet.y() * T::lit(SQRT_2), facet.z());
+    // wo·h = z wo_z + r cos(ψ − ψ₀) with (r cosψ₀, r sinψ₀) = (x wo_x, y wo_y).
+    let (r_cos, r_sin) = (x * wo.x(), y * wo.y());
+    let r = (r_cos.squared() + r_sin.squared()).sqrt();
+    // A smaller r does not change the density of the azimuth by as much as a rounding, and its
+    // square has no digits in single precision.
+    let tilted = r.gt(T::lit(1e-18));
+    let inverse = one / T::select(tilted, r, one);
+    let cos_0 = T::select(tilted, r_cos * inverse, one);
+    let sin_0 = (r_sin * inverse).only_where(tilted);
+    let k = (r / (z * wo.z())).only_where(tilted);
+    let (cos, sin) = visible_azimuth(k, place);
+    let facet: T::Vec3 =
+        Vector::new(x * (cos_0 * cos - sin_0 * sin), y * (sin_0 * cos + cos_0 * sin), z);
+    Vector::normalize_or_normal(facet)
 }
 
 /// (wo·h)/2.

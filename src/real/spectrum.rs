@@ -1,5 +1,6 @@
 //! A colour of any fixed number of wavelengths.
 
+use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
 
 use super::traits::{Color, Real};
@@ -48,7 +49,37 @@ impl<T: Real, const N: usize> Mul<T> for Spectrum<T, N> {
 
 impl<T: Real, const N: usize> Color<T> for Spectrum<T, N> {
     type Over<U: Real> = Spectrum<U, N>;
+    type Channels<E: Debug + Send> = [E; N];
 
+    #[inline(always)]
+    fn by_channel<E: Debug + Send>(make: impl FnMut(usize) -> E) -> [E; N] {
+        core::array::from_fn(make)
+    }
+    #[inline(always)]
+    fn channels(self) -> [T; N] {
+        self.0
+    }
+    #[inline(always)]
+    fn from_channels(channels: [T; N]) -> Self {
+        Self(channels)
+    }
+    #[inline(always)]
+    #[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
+    fn fill<const PLACES: usize, const M: usize>(
+        channels: &mut [[T; PLACES]; N],
+        numbers: &mut [[T; PLACES]; M],
+        formula: impl Fn(usize) -> (Self, [T; M]),
+    ) {
+        for index in 0..PLACES {
+            let (color, beside) = formula(index);
+            for channel in 0..N {
+                channels[channel][index] = color.0[channel];
+            }
+            for number in 0..M {
+                numbers[number][index] = beside[number];
+            }
+        }
+    }
     #[inline(always)]
     fn splat(value: T) -> Self {
         Self([value; N])

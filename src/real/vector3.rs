@@ -1,5 +1,6 @@
 //! Three numbers as a vector or a colour: glam's types, and a plain struct for all other numbers.
 
+use core::fmt::Debug;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::traits::{Color, Real, Vector};
@@ -79,7 +80,39 @@ macro_rules! vector_and_color {
 
         impl<$($generics)*> Color<$number> for $vector {
             type Over<U: Real> = U::Vec3;
+            type Channels<E: Debug + Send> = [E; 3];
 
+            #[inline(always)]
+            fn by_channel<E: Debug + Send>(make: impl FnMut(usize) -> E) -> [E; 3] { core::array::from_fn(make) }
+            #[inline(always)]
+            fn channels(self) -> [$number; 3] {
+                [self.x, self.y, self.z]
+            }
+            #[inline(always)]
+            fn from_channels([x, y, z]: [$number; 3]) -> Self {
+                Self { x, y, z }
+            }
+            #[inline(always)]
+            #[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
+            fn fill<const N: usize, const M: usize>(
+                channels: &mut [[$number; N]; 3],
+                numbers: &mut [[$number; N]; M],
+                formula: impl Fn(usize) -> (Self, [$number; M]),
+            ) {
+                for index in 0..N {
+                    let (color, beside) = formula(index);
+                    channels[0][index] = color.x;
+                    channels[1][index] = color.y;
+                    channels[2][index] = color.z;
+                    for number in 0..M {
+                        numbers[number][index] = beside[number];
+                    }
+                }
+            }
+            #[inline(always)]
+            fn at<const N: usize>(channels: &[[$number; N]; 3], index: usize) -> Self {
+                Self { x: channels[0][index], y: channels[1][index], z: channels[2][index] }
+            }
             #[inline(always)]
             fn splat(value: $number) -> Self {
                 Self { x: value, y: value, z: value }

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeSet;
 
+use brdf::Brdf;
 use brdf::description::BrdfDescription;
 use brdf::from_spherical;
 

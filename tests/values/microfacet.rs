@@ -9,12 +9,20 @@ use glam::DVec3;
 
 use crate::common::values::Group;
 
-fn g<D>(shadowing: &impl Shadowing<f64, D>, distribution: &D, pair: &Pair<f64>) -> f64 {
+fn g<D: Distribution<f64>>(
+    shadowing: &impl Shadowing<f64, D>,
+    distribution: &D,
+    pair: &Pair<f64>,
+) -> f64 {
     4.0 * pair.cos_i * pair.cos_o * shadowing.visibility(distribution, pair)
 }
 
 /// G₁(wo, h), for the half vector of the pair.
-fn g1<D>(shadowing: &impl Shadowing<f64, D>, distribution: &D, pair: &Pair<f64>) -> f64 {
+fn g1<D: Distribution<f64>>(
+    shadowing: &impl Shadowing<f64, D>,
+    distribution: &D,
+    pair: &Pair<f64>,
+) -> f64 {
     4.0 * pair.cos_o * shadowing.masking(distribution, pair)
 }
 

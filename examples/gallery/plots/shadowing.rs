@@ -3,7 +3,8 @@
 use std::error::Error;
 
 use brdf::{
-    Beckmann, Ggx, Pair, Shadowing, Smith, SmithCorrelated, SmithSeparable, VCavity, from_spherical,
+    Beckmann, Distribution, Ggx, Pair, Shadowing, Smith, SmithCorrelated, SmithSeparable, VCavity,
+    from_spherical,
 };
 
 use super::cartesian::{Axis, Plot};
@@ -16,7 +17,7 @@ type Term<D> = dyn Shadowing<f64, D>;
 
 /// G over the angle of the viewer in degrees, from the crate's G/(4 (N·L)(N·V)), for a light at an
 /// angle that depends on the viewer's.
-fn shadowing<'a, D>(
+fn shadowing<'a, D: Distribution<f64>>(
     term: &'a Term<D>,
     distribution: &'a D,
     light: impl Fn(f64) -> f64 + 'a,

@@ -1,5 +1,6 @@
 //! Three such numbers: an operation of vectors is the same operation in each component.
 
+use std::fmt::Debug;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use brdf::{Color, Real, Vector};
@@ -120,6 +121,20 @@ impl Vector<Faulty> for FaultyVector {
 
 impl Color<Faulty> for FaultyVector {
     type Over<U: Real> = U::Vec3;
+    type Channels<E: Debug + Send> = [E; 3];
+
+    #[inline(always)]
+    fn by_channel<E: Debug + Send>(make: impl FnMut(usize) -> E) -> [E; 3] {
+        std::array::from_fn(make)
+    }
+    #[inline(always)]
+    fn channels(self) -> [Faulty; 3] {
+        self.0
+    }
+    #[inline(always)]
+    fn from_channels(channels: [Faulty; 3]) -> Self {
+        Self(channels)
+    }
 
     #[inline(always)]
     fn splat(value: Faulty) -> Self {

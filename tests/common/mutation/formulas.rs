@@ -378,13 +378,17 @@ fn furnace() -> Verdict {
     check("GGX", [0.2, 0.5], &Ggx::anisotropic(n(0.2), n(0.5))?)
 }
 
-fn g<D>(shadowing: &impl Shadowing<Faulty, D>, distribution: &D, pair: &Pair<Faulty>) -> Faulty {
+fn g<D: Distribution<Faulty>>(
+    shadowing: &impl Shadowing<Faulty, D>,
+    distribution: &D,
+    pair: &Pair<Faulty>,
+) -> Faulty {
     let cosines = 4.0 * pair.cos_i.0 * pair.cos_o.0;
     n(cosines * shadowing.visibility(distribution, pair).0)
 }
 
 /// G₁(wo, h) times G/G₁(wo, h).
-fn g_of_samples<D>(
+fn g_of_samples<D: Distribution<Faulty>>(
     shadowing: &impl Shadowing<Faulty, D>,
     distribution: &D,
     pair: &Pair<Faulty>,

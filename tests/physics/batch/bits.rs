@@ -94,12 +94,12 @@ macro_rules! batches_equal_calls {
                         let wo_in = Directions::Planes([&wo_x[..n], &wo_y[..n], &wo_z[..n]]);
                         let mut planes = [0, 1, 2, 3, 4, 5].map(|_| vec![$float::MAX; n]);
                         let [x, y, z, r, g, b] = &mut planes;
-                        let buffer = ColorBuffer::Planes([r, g, b]);
+                        let buffer = ColorBuffer::from([&mut *r, &mut *g, &mut *b]);
                         model.eval_batch(wi_in, wo_in, buffer).unwrap();
                         assert_eq!([bits(r), bits(g), bits(b)], want_value, "{context}");
                         let buffer = SampleBuffer {
                             wi: DirectionBuffer::Planes([x, y, z]),
-                            weight: ColorBuffer::Planes([r, g, b]),
+                            weight: ColorBuffer::from([&mut *r, &mut *g, &mut *b]),
                             pdf: &mut pdf,
                         };
                         let u_in = [&u0[..n], &u1[..n]].into();

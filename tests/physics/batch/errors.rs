@@ -39,13 +39,16 @@ fn slices_of_different_lengths_are_named() {
     assert_eq!(wi, [Vec3::MAX; 5]);
 }
 
+/// As many slices as channels, whatever their number: another one is no colour buffer at all.
 #[test]
-fn three_slices_hold_three_channels() {
+fn slices_of_channels_have_the_length_of_the_batch() {
     let gray = Lambert::new(Spectrum([0.5_f32; 4])).unwrap();
-    let mut planes = [[0.0_f32; 2]; 3];
-    let [r, g, b] = &mut planes;
-    let values = ColorBuffer::Planes([r, g, b]);
+    let mut planes = [[0.0_f32; 2]; 4];
+    let values = ColorBuffer::from(planes.each_mut());
+    gray.eval_batch(Vec3::Z.into(), Vec3::Z.into(), values).unwrap();
+    assert_eq!(planes, gray.eval(Vec3::Z, Vec3::Z).0.map(|value| [value; 2]));
+    let [a, b, c, _] = &mut planes;
+    let values = ColorBuffer::Planes([a.as_mut_slice(), b, c, &mut []]);
     let error = gray.eval_batch(Vec3::Z.into(), Vec3::Z.into(), values).unwrap_err();
-    assert_eq!(error, BatchError::Channels { argument: "values", slices: 3, channels: 4 });
-    assert_eq!(error.to_string(), "values has 3 slices for a color of channel count 4");
+    assert_eq!(error.to_string(), "values[0] has 2 elements, but values[3] has 0");
 }

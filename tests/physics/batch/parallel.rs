@@ -30,7 +30,7 @@ fn any_number_of_threads_gives_the_bits_of_one() {
             let [x, y, z, r, g, b] = &mut planes;
             let buffer = SampleBuffer {
                 wi: DirectionBuffer::Planes([x, y, z]),
-                weight: ColorBuffer::Planes([r, g, b]),
+                weight: ColorBuffer::from([r, g, b]),
                 pdf: &mut pdf,
             };
             parallel::sample(&model, wo_in, (&u).into(), buffer).unwrap();

@@ -1,0 +1,161 @@
+//! Any model of the crate, as one type.
+
+use crate::block::{ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock};
+use crate::brdf::{Brdf, Sample};
+use crate::diffuse::{Lambert, OrenNayar};
+use crate::distribution::AnyDistribution;
+use crate::fresnel::AnyFresnel;
+use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
+use crate::microfacet::{AnyShadowing, CookTorrance, Scaled};
+use crate::real::{Color, Real, members};
+use crate::sum::WeightedSum;
+
+/// The microfacet model of parts that are chosen at run time.
+pub type AnyCookTorrance<T = f32, C = <T as Real>::Vec3> =
+    CookTorrance<AnyDistribution<T>, AnyFresnel<T, C>, AnyShadowing>;
+
+members! {
+    ($) each
+    /// Any model of this crate, chosen at run time: what a renderer keeps its materials in.
+    ///
+    /// One type for all of them, without a box; sums and mixtures own a `Vec`. A call costs one
+    /// predicted `match` for the model and one for each part, a [batch](crate::batch) one for each
+    /// block, outside its loops, and the answers have the bits of the model inside. Descriptions
+    /// build it.
+    ///
+    /// ```
+    /// use brdf::{AnyBrdf, Brdf, CookTorrance, Ggx, Lambert, Schlick, SmithCorrelated};
+    /// use glam::Vec3;
+    ///
+    /// let coat = CookTorrance::new(Ggx::new(0.3)?, Schlick::new(Vec3::splat(0.04))?)
+    ///     .with_shadowing(SmithCorrelated);
+    /// let scene: Vec<AnyBrdf> = vec![Lambert::new(Vec3::splat(0.5))?.into(), coat.into()];
+    /// assert_eq!(scene[1].eval(Vec3::Z, Vec3::Z), coat.eval(Vec3::Z, Vec3::Z));
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub enum AnyBrdf[T: Real = f32, C: Color<T> = <T as Real>::Vec3][T: Real, C: Color<T>]
+        AnyBrdf<T, C> => AnyBrdf<U, C::Over<U>>
+    {
+        /// Lambert's ideal diffuse surface.
+        Lambert(Lambert<C>),
+        /// Oren and Nayar's rough diffuse surface.
+        OrenNayar(OrenNayar<C, T>),
+        /// The energy-conserving form of Phong's lobe.
+        Phong(Phong<C, T>),
+        /// Phong's highlight of 1975.
+        ClassicPhong(ClassicPhong<C, T>),
+        /// Blinn's variant of Phong's lobe.
+        BlinnPhong(BlinnPhong<C, T>),
+        /// Schlick's rational stand-in for a power of the cosine.
+        SchlickPower(SchlickPower<C, T>),
+        /// The microfacet model.
+        CookTorrance(AnyCookTorrance<T, C>): generic,
+        /// A printed form of the microfacet model.
+        Printed(Scaled<AnyCookTorrance<T, C>, T>): generic,
+        /// A weighted sum of models.
+        Sum(WeightedSum<AnyBrdf<T, C>, C, T>): generic,
+    }
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
+    type Color = C;
+
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        each!(self, model => model.eval(wi, wo))
+    }
+
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        each!(self, model => model.pdf(wi, wo))
+    }
+
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        each!(self, model => model.sample(wo, u))
+    }
+
+    fn albedo(&self, wo: T::Vec3) -> C {
+        each!(self, model => model.albedo(wo))
+    }
+
+    fn eval_block(
+        &self,
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
+        values: &mut ColorBlock<T, C>,
+    ) {
+        each!(self, model => model.eval_block(set, wi, wo, values));
+    }
+
+    fn pdf_block(
+        &self,
+        set: InstructionSet,
+        wi: DirectionBlock<'_, T>,
+        wo: DirectionBlock<'_, T>,
+        pdf: &mut Plane<T>,
+    ) {
+        each!(self, model => model.pdf_block(set, wi, wo, pdf));
+    }
+
+    fn sample_block(
+        &self,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        u: [&Plane<T>; 2],
+        samples: &mut SampleBlock<T, C>,
+    ) {
+        each!(self, model => model.sample_block(set, wo, u, samples));
+    }
+}
+
+/// Static parts become parts that are chosen at run time.
+impl<D, F, S> CookTorrance<D, F, S> {
+    fn into_any<T, C>(self) -> AnyCookTorrance<T, C>
+    where
+        T: Real,
+        C: Color<T>,
+        D: Into<AnyDistribution<T>>,
+        F: Into<AnyFresnel<T, C>>,
+        S: Into<AnyShadowing>,
+    {
+        let (distribution, fresnel, shadowing) = self.into_parts();
+        CookTorrance::new(distribution.into(), fresnel.into()).with_shadowing(shadowing.into())
+    }
+}
+
+impl<T, C, D, F, S> From<CookTorrance<D, F, S>> for AnyBrdf<T, C>
+where
+    T: Real,
+    C: Color<T>,
+    D: Into<AnyDistribution<T>>,
+    F: Into<AnyFresnel<T, C>>,
+    S: Into<AnyShadowing>,
+{
+    fn from(model: CookTorrance<D, F, S>) -> Self {
+        Self::CookTorrance(model.into_any())
+    }
+}
+
+impl<T, C, D, F, S> From<Scaled<CookTorrance<D, F, S>, T>> for AnyBrdf<T, C>
+where
+    T: Real,
+    C: Color<T>,
+    D: Into<AnyDistribution<T>>,
+    F: Into<AnyFresnel<T, C>>,
+    S: Into<AnyShadowing>,
+{
+    fn from(printed: Scaled<CookTorrance<D, F, S>, T>) -> Self {
+        let scale = printed.scale();
+        Self::Printed(Scaled::of(printed.into_model().into_any(), scale))
+    }
+}
+
+impl<T, C, M> From<WeightedSum<M, C, T>> for AnyBrdf<T, C>
+where
+    T: Real,
+    C: Color<T>,
+    M: Into<Self>,
+{
+    fn from(sum: WeightedSum<M, C, T>) -> Self {
+        Self::Sum(sum.map(Into::into))
+    }
+}

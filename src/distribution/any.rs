@@ -1,0 +1,97 @@
+use super::any_mixture::AnyMixture;
+use super::beckmann::Beckmann;
+use super::blinn::Blinn;
+use super::gaussian::Gaussian;
+use super::ggx::Ggx;
+use super::traits::Distribution;
+use crate::block::{DirectionBlock, InstructionSet, Plane};
+use crate::real::{Real, members};
+
+members! {
+    ($) each_distribution
+    /// Any distribution of this crate, chosen at run time.
+    ///
+    /// One type for all of them, without a box. A call costs one `match`, a
+    /// [batch](crate::batch) one for each block, and the answers have the bits of the distribution
+    /// inside.
+    ///
+    /// ```
+    /// use brdf::{AnyDistribution, Beckmann, Distribution, Ggx};
+    /// use glam::Vec3;
+    ///
+    /// let scene: [AnyDistribution; 2] = [Ggx::new(0.3)?.into(), Beckmann::new(0.2)?.into()];
+    /// assert_eq!(scene[0].density(Vec3::Z), Ggx::new(0.3)?.density(Vec3::Z));
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub enum AnyDistribution[T: Real = f32][T: Real] AnyDistribution<T> => AnyDistribution<U> {
+        /// Torrance and Sparrow's distribution of the angle.
+        Gaussian(Gaussian<T>),
+        /// Beckmann's distribution.
+        Beckmann(Beckmann<T>),
+        /// The distribution of Trowbridge and Reitz.
+        Ggx(Ggx<T>),
+        /// Blinn's power of the cosine.
+        Blinn(Blinn<T>),
+        /// A weighted mean of the others.
+        Mixture(AnyMixture<T>),
+    }
+}
+
+/// The same expression for every distribution for which Smith's shadowing is known, another one
+/// for the others.
+macro_rules! each_smith {
+    ($any:expr, $one:ident => $known:expr, $unknown:expr) => {
+        match $any {
+            $crate::distribution::AnyDistribution::Beckmann($one) => $known,
+            $crate::distribution::AnyDistribution::Ggx($one) => $known,
+            $crate::distribution::AnyDistribution::Mixture(mixture) => match mixture.as_smith() {
+                Some(mixture) => {
+                    let $one = &mixture;
+                    $known
+                }
+                None => $unknown,
+            },
+            _ => $unknown,
+        }
+    };
+}
+pub(crate) use {each_distribution, each_smith};
+
+impl<T: Real> AnyDistribution<T> {
+    /// Whether Smith's shadowing is known for this distribution, so that it can be asked for by
+    /// [`AnyShadowing`](crate::AnyShadowing).
+    #[must_use]
+    pub fn has_smith(&self) -> bool {
+        each_smith!(self, _one => true, false)
+    }
+}
+
+impl<T: Real> Distribution<T> for AnyDistribution<T> {
+    #[inline(always)]
+    fn density(&self, h: T::Vec3) -> T {
+        each_distribution!(self, distribution => distribution.density(h))
+    }
+
+    #[inline(always)]
+    fn density_along(&self, m: T::Vec3) -> T {
+        each_distribution!(self, distribution => distribution.density_along(m))
+    }
+
+    #[inline]
+    fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        each_distribution!(self, distribution => distribution.sample(u))
+    }
+
+    fn density_block(
+        &self,
+        set: InstructionSet,
+        h: DirectionBlock<'_, T>,
+        densities: &mut Plane<T>,
+    ) {
+        each_distribution!(self, distribution => distribution.density_block(set, h, densities));
+    }
+
+    fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
+        each_distribution!(self, distribution => distribution.sample_block(set, u, h));
+    }
+}

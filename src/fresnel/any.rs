@@ -1,0 +1,80 @@
+use super::conductor::Conductor;
+use super::constant::Constant;
+use super::dielectric::Dielectric;
+use super::interpolation::{Cook, Hall};
+use super::schlick::Schlick;
+use super::term::Fresnel;
+use crate::block::{ColorBlock, InstructionSet, Plane};
+use crate::real::{Color, Real, members};
+
+members! {
+    ($) each
+    /// Any Fresnel term of this crate, chosen at run time.
+    ///
+    /// One type for all of them: a surface of described parts is a single type too, and lives
+    /// without a box. A call costs one `match`, a [batch](crate::batch) one for each block, and
+    /// the answers have the bits of the term inside.
+    ///
+    /// ```
+    /// use brdf::{AnyFresnel, Conductor, Fresnel, Schlick};
+    /// use glam::Vec3;
+    ///
+    /// let terms: [AnyFresnel; 2] = [
+    ///     Schlick::new(Vec3::splat(0.04))?.into(),
+    ///     Conductor::new(Vec3::new(0.2, 1.0, 1.2), Vec3::new(3.7, 2.6, 2.4))?.into(),
+    /// ];
+    /// assert_eq!(terms[0].reflectance(1.0), Vec3::splat(0.04));
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub enum AnyFresnel[T: Real = f32, C: Color<T> = <T as Real>::Vec3][T: Real, C: Color<T>]
+        AnyFresnel<T, C> => AnyFresnel<U, C::Over<U>>
+    {
+        /// The same reflectance at all angles.
+        Constant(Constant<C>),
+        /// A transparent medium.
+        Dielectric(Dielectric<C>),
+        /// An absorbing medium.
+        Conductor(Conductor<C>),
+        /// Schlick's approximation.
+        Schlick(Schlick<C>),
+        /// Hall's interpolation, driven by a transparent medium.
+        Hall(Hall<C, Dielectric<T>>),
+        /// Hall's interpolation, driven by an absorbing medium.
+        HallOfConductor(Hall<C, Conductor<T>>),
+        /// Cook's interpolation, driven by a transparent medium.
+        Cook(Cook<C, Dielectric<T>>),
+        /// Cook's interpolation, driven by an absorbing medium.
+        CookOfConductor(Cook<C, Conductor<T>>),
+    }
+}
+
+impl<T: Real, C: Color<T>> Fresnel<T> for AnyFresnel<T, C> {
+    type Color = C;
+
+    #[inline(always)]
+    fn reflectance(&self, cos_theta: T) -> C {
+        each!(self, term => term.reflectance(cos_theta))
+    }
+
+    fn average(&self) -> C {
+        each!(self, term => term.average())
+    }
+
+    fn reflectance_block(
+        &self,
+        set: InstructionSet,
+        cos_theta: &Plane<T>,
+        values: &mut ColorBlock<T, C>,
+    ) {
+        each!(self, term => term.reflectance_block(set, cos_theta, values));
+    }
+
+    fn reflected_block(
+        &self,
+        set: InstructionSet,
+        mirrored: &[Plane<T>; 2],
+        values: &mut ColorBlock<T, C>,
+    ) {
+        each!(self, term => term.reflected_block(set, mirrored, values));
+    }
+}

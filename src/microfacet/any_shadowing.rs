@@ -1,0 +1,168 @@
+use super::shadowing::Shadowing;
+use super::smith::{SmithCorrelated, SmithSeparable};
+use super::v_cavity::VCavity;
+use crate::block::{DirectionBlock, InstructionSet, Plane};
+use crate::direction::Pair;
+use crate::distribution::{AnyDistribution, Smith, each_distribution, each_smith};
+use crate::real::{Real, lift};
+
+/// Any shadowing of this crate for [any distribution](AnyDistribution), chosen at run time.
+///
+/// Smith's kinds need his Λ. Where that is not known of the distribution
+/// ([`AnyDistribution::has_smith`] is false) they are the V-cavities, which suit all.
+///
+/// ```
+/// use brdf::{AnyDistribution, AnyShadowing, Brdf, CookTorrance, Ggx, Schlick, SmithCorrelated};
+/// use glam::Vec3;
+///
+/// let (ggx, plastic) = (Ggx::new(0.3)?, Schlick::new(Vec3::splat(0.04))?);
+/// let any = CookTorrance::new(AnyDistribution::from(ggx), plastic)
+///     .with_shadowing(AnyShadowing::SmithCorrelated);
+/// let known = CookTorrance::new(ggx, plastic).with_shadowing(SmithCorrelated);
+/// assert_eq!(any.eval(Vec3::Z, Vec3::Z), known.eval(Vec3::Z, Vec3::Z));
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum AnyShadowing {
+    /// [`VCavity`].
+    #[default]
+    VCavity,
+    /// [`SmithCorrelated`].
+    SmithCorrelated,
+    /// [`SmithSeparable`].
+    SmithSeparable,
+}
+
+lift!(AnyShadowing);
+
+impl From<VCavity> for AnyShadowing {
+    fn from(_: VCavity) -> Self {
+        Self::VCavity
+    }
+}
+
+impl From<SmithCorrelated> for AnyShadowing {
+    fn from(_: SmithCorrelated) -> Self {
+        Self::SmithCorrelated
+    }
+}
+
+impl From<SmithSeparable> for AnyShadowing {
+    fn from(_: SmithSeparable) -> Self {
+        Self::SmithSeparable
+    }
+}
+
+/// The same expression for every kind, with the distribution as the kind needs it.
+macro_rules! chosen {
+    ($any:expr, $distribution:ident, $kind:ident => $result:expr, $cavity:expr) => {
+        match $any {
+            AnyShadowing::VCavity => $cavity,
+            AnyShadowing::SmithCorrelated => {
+                let $kind = SmithCorrelated;
+                each_smith!($distribution, one => { let $distribution = one; $result }, $cavity)
+            }
+            AnyShadowing::SmithSeparable => {
+                let $kind = SmithSeparable;
+                each_smith!($distribution, one => { let $distribution = one; $result }, $cavity)
+            }
+        }
+    };
+}
+
+impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
+    #[inline(always)]
+    fn visibility(&self, distribution: &AnyDistribution<T>, pair: &Pair<T>) -> T {
+        chosen!(
+            self, distribution, kind => kind.visibility(distribution, pair),
+            VCavity.visibility(distribution, pair)
+        )
+    }
+
+    #[inline(always)]
+    fn masking(&self, distribution: &AnyDistribution<T>, pair: &Pair<T>) -> T {
+        chosen!(
+            self, distribution, kind => kind.masking(distribution, pair),
+            VCavity.masking(distribution, pair)
+        )
+    }
+
+    #[inline(always)]
+    fn unshadowed(&self, distribution: &AnyDistribution<T>, pair: &Pair<T>) -> T {
+        chosen!(
+            self, distribution, kind => kind.unshadowed(distribution, pair),
+            VCavity.unshadowed(distribution, pair)
+        )
+    }
+
+    #[inline]
+    fn sample_visible(&self, distribution: &AnyDistribution<T>, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        match self {
+            Self::VCavity => VCavity.sample_visible(distribution, wo, u),
+            // Both kinds of Smith's draw the same normals.
+            Self::SmithCorrelated | Self::SmithSeparable => each_smith!(
+                distribution, one => one.sample_visible(wo, u),
+                VCavity.sample_visible(distribution, wo, u)
+            ),
+        }
+    }
+
+    fn sample_visible_block(
+        &self,
+        distribution: &AnyDistribution<T>,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        u: [&Plane<T>; 2],
+        h: &mut [Plane<T>; 4],
+    ) {
+        chosen!(
+            self, distribution, kind => kind.sample_visible_block(distribution, set, wo, u, h),
+            VCavity.sample_visible_block(distribution, set, wo, u, h)
+        );
+    }
+
+    fn mirrored_block(
+        &self,
+        distribution: &AnyDistribution<T>,
+        set: InstructionSet,
+        pairs: [DirectionBlock<'_, T>; 2],
+        mirrored: &mut [Plane<T>; 2],
+    ) {
+        chosen!(
+            self, distribution, kind => kind.mirrored_block(distribution, set, pairs, mirrored),
+            each_distribution!(
+                distribution, one => VCavity.mirrored_block(one, set, pairs, mirrored)
+            )
+        );
+    }
+
+    fn pdf_block(
+        &self,
+        distribution: &AnyDistribution<T>,
+        set: InstructionSet,
+        pairs: [DirectionBlock<'_, T>; 2],
+        densities: &mut Plane<T>,
+    ) {
+        chosen!(
+            self, distribution, kind => kind.pdf_block(distribution, set, pairs, densities),
+            each_distribution!(distribution, one => VCavity.pdf_block(one, set, pairs, densities))
+        );
+    }
+
+    fn mirror_block(
+        &self,
+        distribution: &AnyDistribution<T>,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        wi_pdf: &mut [Plane<T>; 4],
+        weight: &mut [Plane<T>; 2],
+    ) {
+        chosen!(
+            self, distribution, kind => kind.mirror_block(distribution, set, wo, wi_pdf, weight),
+            each_distribution!(
+                distribution, one => VCavity.mirror_block(one, set, wo, wi_pdf, weight)
+            )
+        );
+    }
+}
