@@ -61,15 +61,27 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
     type Color = C;
 
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        each!(self, model => model.eval(wi, wo))
+        match self {
+            // Nothing but choices and calls.
+            Self::CookTorrance(model) => model.eval(wi, wo),
+            _ => each!(self, model => eval(model, wi, wo)),
+        }
     }
 
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        each!(self, model => model.pdf(wi, wo))
+        match self {
+            // Nothing but choices and calls.
+            Self::CookTorrance(model) => model.pdf(wi, wo),
+            _ => each!(self, model => pdf(model, wi, wo)),
+        }
     }
 
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        each!(self, model => model.sample(wo, u))
+        match self {
+            // Nothing but choices and calls.
+            Self::CookTorrance(model) => model.sample(wo, u),
+            _ => each!(self, model => sample(model, wo, u)),
+        }
     }
 
     fn albedo(&self, wo: T::Vec3) -> C {
@@ -105,6 +117,23 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
     ) {
         each!(self, model => model.sample_block(set, wo, u, samples));
     }
+}
+
+// A call for each model, and not the code of all of them in one function.
+
+#[inline(never)]
+fn eval<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> M::Color {
+    model.eval(wi, wo)
+}
+
+#[inline(never)]
+fn pdf<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> T {
+    model.pdf(wi, wo)
+}
+
+#[inline(never)]
+fn sample<T: Real, M: Brdf<T>>(model: &M, wo: T::Vec3, u: [T; 2]) -> Sample<T, M::Color> {
+    model.sample(wo, u)
 }
 
 /// Static parts become parts that are chosen at run time.

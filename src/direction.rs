@@ -47,14 +47,20 @@ impl<T: Real> Pair<T> {
         Self::where_above(wi, wo, both_above::<T>(wi, wo))
     }
 
+    /// [`sum`](Self::sum) alone.
+    #[inline(always)]
+    pub(crate) fn sum(wi: T::Vec3, wo: T::Vec3) -> T::Vec3 {
+        let sum = wi + wo;
+        Vector::new(sum.x(), sum.y(), sum.z().max(T::lit(FLOOR)))
+    }
+
     /// The same where it is known already which pairs are above the surface.
     #[inline(always)]
     pub(crate) fn where_above(wi: T::Vec3, wo: T::Vec3, above: T::Mask) -> Self {
         let (cos_i, cos_o) = (wi.z(), wo.z());
         // One square root serves h and V·H, since |wi + wo| = 2 V·H for unit directions. The floor,
         // 2⁻⁶⁰, has a square that is precise in single precision.
-        let sum = wi + wo;
-        let sum: T::Vec3 = Vector::new(sum.x(), sum.y(), sum.z().max(T::lit(FLOOR)));
+        let sum = Self::sum(wi, wo);
         let length = Vector::length_squared(sum).sqrt();
         let cos_d = length * T::lit(0.5);
         let h = sum * (T::one() / length);

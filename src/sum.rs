@@ -128,10 +128,17 @@ where
 
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let (u, mut start, mut kept) = (uniform(u), T::zero(), Kept::new());
-        for term in &self.terms {
-            let sample = term.model.sample(wo, [term.stretched(start, u[0]), u[1]]);
-            kept = term.kept(start, u[0], sample.wi, sample.pdf, kept);
-            start = start + term.probability;
+        for (index, term) in self.terms.iter().enumerate() {
+            let end = start + term.probability;
+            // What the next term replaces need not be drawn.
+            let next = self.terms.get(index + 1).map(|next| next.reached(end, u[0]));
+            let reached = term.reached(start, u[0]);
+            let needed = next.map_or(reached, |next| reached.and(next.not()));
+            if !needed.is_never() {
+                let sample = term.model.sample(wo, [term.stretched(start, u[0]), u[1]]);
+                kept = kept.or(needed, sample.wi, sample.pdf);
+            }
+            start = end;
         }
         kept.sample(self.pdf(kept.wi, wo), self.eval(kept.wi, wo))
     }
@@ -202,7 +209,7 @@ where
             term.model.sample_block(set, wo, [&stretched, u1], samples);
             for (index, kept) in kept.iter_mut().enumerate() {
                 let (wi, pdf) = (samples.wi().at(index), samples.wi_pdf[3][index]);
-                *kept = term.kept(start, u0[index], wi, pdf, *kept);
+                *kept = kept.or(term.reached(start, u0[index]), wi, pdf);
             }
             start = start + term.probability;
         }
@@ -244,11 +251,10 @@ impl<M, C, T: Real> Term<M, C, T> {
         T::select(usable, stretched, T::lit(0.5))
     }
 
-    /// Every term draws, and the last one that begins at or before u₀ is kept.
+    /// Where the term begins at or before u₀: of such terms the last one draws the sample.
     #[inline(always)]
-    fn kept(&self, start: T, u: T, wi: T::Vec3, pdf: T, before: Kept<T>) -> Kept<T> {
-        let kept = self.probability.gt(T::zero()).and(u.ge(start));
-        Kept { wi: Vector::select(kept, wi, before.wi), drawn: T::select(kept, pdf, before.drawn) }
+    fn reached(&self, start: T, u: T) -> T::Mask {
+        self.probability.gt(T::zero()).and(u.ge(start))
     }
 }
 
@@ -264,6 +270,12 @@ impl<T: Real> Kept<T> {
     fn new() -> Self {
         let zero = T::zero();
         Self { wi: Vector::new(zero, zero, T::one()), drawn: zero }
+    }
+
+    /// Another draw where the mask is true.
+    #[inline(always)]
+    fn or(self, mask: T::Mask, wi: T::Vec3, drawn: T) -> Self {
+        Self { wi: Vector::select(mask, wi, self.wi), drawn: T::select(mask, drawn, self.drawn) }
     }
 
     /// The sample, with density and value of the whole sum. The probability of a direction is that

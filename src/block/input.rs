@@ -84,8 +84,8 @@ impl<'a, T: Real> Directions<'a, T> {
                 let rest = vectors.get(start..).unwrap_or_default();
                 take_apart(rest, x, y, z);
             }
-            Self::Planes(planes) => {
-                return each(planes, start, [x, y, z]);
+            Self::Planes([all_x, all_y, all_z]) => {
+                return [plane(all_x, start, x), plane(all_y, start, y), plane(all_z, start, z)];
             }
             Self::Same(w) => {
                 [*x, *y, *z] = [[w.x(); BLOCK], [w.y(); BLOCK], [w.z(); BLOCK]];
@@ -110,26 +110,19 @@ fn take_apart<T: Real>(vectors: &[T::Vec3], x: &mut Plane<T>, y: &mut Plane<T>, 
     }
 }
 
-/// The blocks of slices of equal length that begin at `start`: in place if they are whole, else in
-/// memory, filled up with their first elements.
+/// The block of a slice that begins at `start`: in place if it is whole, else in memory, filled up
+/// with its first element.
 #[inline(always)]
-fn each<'b, T: Real, const N: usize>(
-    slices: [&'b [T]; N],
-    start: usize,
-    memory: [&'b mut Plane<T>; N],
-) -> [&'b Plane<T>; N] {
-    let mut slices = slices.into_iter();
-    memory.map(|memory| {
-        let rest = slices.next().and_then(|slice| slice.get(start..)).unwrap_or_default();
-        if let Some(whole) = rest.first_chunk() {
-            return whole;
-        }
-        *memory = [rest.first().copied().unwrap_or(T::zero()); BLOCK];
-        for (memory, number) in memory.iter_mut().zip(rest) {
-            *memory = *number;
-        }
-        memory
-    })
+fn plane<'b, T: Real>(slice: &'b [T], start: usize, memory: &'b mut Plane<T>) -> &'b Plane<T> {
+    let rest = slice.get(start..).unwrap_or_default();
+    if let Some(whole) = rest.first_chunk() {
+        return whole;
+    }
+    *memory = [rest.first().copied().unwrap_or(T::zero()); BLOCK];
+    for (memory, number) in memory.iter_mut().zip(rest) {
+        *memory = *number;
+    }
+    memory
 }
 
 /// Pairs of uniform numbers in [0, 1) that a batch reads, one for each of its elements.
@@ -183,7 +176,7 @@ impl<'a, T: Real> Uniforms<'a, T> {
                 }
                 [u0, u1]
             }
-            Self::Planes(planes) => each(planes, start, [u0, u1]),
+            Self::Planes([first, second]) => [plane(first, start, u0), plane(second, start, u1)],
         }
     }
 }
@@ -260,7 +253,8 @@ impl<T: Real> Input<T, 3> for Normals<'_, T> {
 
     #[inline(always)]
     fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; 3]) -> [&'b Plane<T>; 3] {
-        self.0.planes(start, memory.each_mut())
+        let [x, y, z] = memory;
+        self.0.planes(start, [x, y, z])
     }
 
     #[cfg(feature = "rayon")]
@@ -281,7 +275,8 @@ impl<T: Real> Input<T, 1> for Cosines<'_, T> {
 
     #[inline(always)]
     fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; 1]) -> [&'b Plane<T>; 1] {
-        each([self.0], start, memory.each_mut())
+        let [memory] = memory;
+        [plane(self.0, start, memory)]
     }
 
     #[cfg(feature = "rayon")]

@@ -37,13 +37,23 @@ members! {
     }
 }
 
-/// The same expression for every distribution for which Smith's shadowing is known, another one
-/// for the others.
-macro_rules! each_smith {
+/// The same expression for every single distribution for which Smith's shadowing is known, another
+/// one for the others and for mixtures.
+macro_rules! each_single_smith {
     ($any:expr, $one:ident => $known:expr, $unknown:expr) => {
         match $any {
             $crate::distribution::AnyDistribution::Beckmann($one) => $known,
             $crate::distribution::AnyDistribution::Ggx($one) => $known,
+            _ => $unknown,
+        }
+    };
+}
+
+/// The same expression for every distribution for which Smith's shadowing is known, mixtures
+/// included, another one for the others.
+macro_rules! each_smith {
+    ($any:expr, $one:ident => $known:expr, $unknown:expr) => {
+        match $any {
             $crate::distribution::AnyDistribution::Mixture(mixture) => match mixture.as_smith() {
                 Some(mixture) => {
                     let $one = &mixture;
@@ -51,11 +61,11 @@ macro_rules! each_smith {
                 }
                 None => $unknown,
             },
-            _ => $unknown,
+            single => $crate::distribution::each_single_smith!(single, $one => $known, $unknown),
         }
     };
 }
-pub(crate) use {each_distribution, each_smith};
+pub(crate) use {each_distribution, each_single_smith, each_smith};
 
 impl<T: Real> AnyDistribution<T> {
     /// Whether Smith's shadowing is known for this distribution, so that it can be asked for by
@@ -89,6 +99,15 @@ impl<T: Real> Distribution<T> for AnyDistribution<T> {
         densities: &mut Plane<T>,
     ) {
         each_distribution!(self, distribution => distribution.density_block(set, h, densities));
+    }
+
+    fn density_along_block(
+        &self,
+        set: InstructionSet,
+        m: DirectionBlock<'_, T>,
+        densities: &mut Plane<T>,
+    ) {
+        each_distribution!(self, distribution => distribution.density_along_block(set, m, densities));
     }
 
     fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {

@@ -1,10 +1,13 @@
 use alloc::vec::Vec;
+use core::array;
 
 use super::any::{AnyDistribution, each_smith};
-use super::mixture::{Choice, Visible, weights};
+use super::mixture::{Choice, Visible, reach, weights};
 use super::traits::{Distribution, Smith};
+use crate::block::{BLOCK, DirectionBlock, InstructionSet, Plane, fill, refill, within};
 use crate::error::ParameterError;
-use crate::real::{Lift, Real};
+use crate::real::{Lift, Mask, Real};
+use crate::sampling::uniform;
 
 /// A weighted mean of any number of distributions of any kinds: [`Mixture`](crate::Mixture) at run
 /// time.
@@ -30,6 +33,7 @@ use crate::real::{Lift, Real};
 #[derive(Clone, Debug, PartialEq)]
 pub struct AnyMixture<T: Real = f32> {
     terms: Vec<(T, AnyDistribution<T>)>,
+    has_smith: bool,
 }
 
 impl<T: Real> AnyMixture<T> {
@@ -46,13 +50,14 @@ impl<T: Real> AnyMixture<T> {
         for (weight, distribution) in given {
             let weight = weight / total;
             match distribution {
-                AnyDistribution::Mixture(Self { terms: inner }) => {
+                AnyDistribution::Mixture(Self { terms: inner, .. }) => {
                     terms.extend(inner.into_iter().map(|(part, each)| (weight * part, each)));
                 }
                 distribution => terms.push((weight, distribution)),
             }
         }
-        Ok(Self { terms })
+        let has_smith = terms.iter().all(|(_, distribution)| distribution.has_smith());
+        Ok(Self { terms, has_smith })
     }
 
     /// The weights, whose sum is 1, and the distributions.
@@ -63,8 +68,38 @@ impl<T: Real> AnyMixture<T> {
 
     /// The mixture as one with Smith's shadowing, if that is known for all terms.
     pub(crate) fn as_smith(&self) -> Option<SmithMixture<'_, T>> {
-        let known = self.terms.iter().all(|(_, distribution)| distribution.has_smith());
-        known.then_some(SmithMixture(self))
+        self.has_smith.then_some(SmithMixture(self))
+    }
+
+    /// A draw of one of the terms, chosen with the probabilities that `probability` tells.
+    ///
+    /// A term draws once it is known that the number does not reach the next: where the answer is
+    /// known, as with plain floats, only one term draws.
+    #[inline(always)]
+    fn choose(
+        &self,
+        u: [T; 2],
+        probability: impl Fn(T, &AnyDistribution<T>) -> T,
+        draw: impl Fn(&AnyDistribution<T>, [T; 2]) -> T::Vec3,
+    ) -> T::Vec3 {
+        let mut choice = Choice::new(u);
+        let mut before: Option<(&AnyDistribution<T>, [T; 2], T::Mask)> = None;
+        for (weight, each) in &self.terms {
+            let (u, reached) = choice.reach(probability(*weight, each));
+            if let Some((each, u, mask)) = before {
+                let mask = mask.and(reached.not());
+                if !mask.is_never() {
+                    choice.take(mask, draw(each, u));
+                }
+            }
+            before = Some((each, u, reached));
+        }
+        if let Some((each, u, mask)) = before
+            && !mask.is_never()
+        {
+            choice.take(mask, draw(each, u));
+        }
+        choice.chosen()
     }
 
     /// Σ wᵢ `term`(Dᵢ).
@@ -79,7 +114,7 @@ impl<T: Real> Lift<T> for AnyMixture<T> {
 
     fn lift<U: Real>(&self, lift: impl Fn(T) -> U + Copy) -> AnyMixture<U> {
         let terms = self.terms.iter().map(|(weight, each)| (lift(*weight), each.lift(lift)));
-        AnyMixture { terms: terms.collect() }
+        AnyMixture { terms: terms.collect(), has_smith: self.has_smith }
     }
 }
 
@@ -97,11 +132,35 @@ impl<T: Real> Distribution<T> for AnyMixture<T> {
 
     #[inline(never)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
-        let mut choice = Choice::new(u);
-        for (weight, each) in &self.terms {
-            choice.offer(*weight, |u| each.sample(u));
-        }
-        choice.chosen()
+        self.choose(u, |weight, _| weight, |each, u| each.sample(u))
+    }
+
+    fn density_block(
+        &self,
+        set: InstructionSet,
+        h: DirectionBlock<'_, T>,
+        densities: &mut Plane<T>,
+    ) {
+        self.sum_block(set, densities, |each, density| each.density_block(set, h, density));
+    }
+
+    fn density_along_block(
+        &self,
+        set: InstructionSet,
+        m: DirectionBlock<'_, T>,
+        densities: &mut Plane<T>,
+    ) {
+        self.sum_block(set, densities, |each, density| each.density_along_block(set, m, density));
+    }
+
+    fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
+        self.choose_block(
+            set,
+            u,
+            h,
+            |weight, _, probability| *probability = [weight; BLOCK],
+            |each, u, drawn| each.sample_block(set, u, drawn),
+        );
     }
 }
 
@@ -143,10 +202,125 @@ impl<T: Real> Smith<T> for SmithMixture<'_, T> {
 
     #[inline(never)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let (visible, mut choice) = (Visible::new(wo, self.lambda_cos(wo)), Choice::new(u));
-        for (weight, each) in &self.0.terms {
-            each_smith!(each, one => visible.offer(&mut choice, *weight, one), ());
+        let visible = Visible::new(wo, self.lambda_cos(wo));
+        self.0.choose(
+            u,
+            |weight, each| {
+                each_smith!(each, one => visible.probability(weight, one.lambda_cos(wo)), T::zero())
+            },
+            |each, u| each_smith!(each, one => one.sample_visible(wo, u), wo),
+        )
+    }
+
+    fn projected_area_block(
+        &self,
+        set: InstructionSet,
+        w: DirectionBlock<'_, T>,
+        areas: &mut Plane<T>,
+    ) {
+        self.0.sum_block(set, areas, |each, area| {
+            each_smith!(each, one => one.projected_area_block(set, w, area), ());
+        });
+    }
+
+    fn sample_visible_block(
+        &self,
+        set: InstructionSet,
+        wo: DirectionBlock<'_, T>,
+        u: [&Plane<T>; 2],
+        h: &mut [Plane<T>; 4],
+    ) {
+        let all: Plane<T> = array::from_fn(|index| self.lambda_cos(wo.at(index)));
+        self.0.choose_block(
+            set,
+            u,
+            h,
+            |weight, each, probability| {
+                each_smith!(each, one => fill(
+                    array::from_mut(probability),
+                    |index| {
+                        let wo = wo.at(index);
+                        let visible = Visible::new(wo, all[index]);
+                        [visible.probability(weight, one.lambda_cos(wo))]
+                    }
+                ), ());
+            },
+            |each, u, drawn| {
+                each_smith!(each, one => one.sample_visible_block(set, wo, u, drawn), ());
+            },
+        );
+    }
+}
+
+impl<T: Real> AnyMixture<T> {
+    /// Σ wᵢ `term`(Dᵢ) for a block.
+    fn sum_block(
+        &self,
+        set: InstructionSet,
+        sum: &mut Plane<T>,
+        term: impl Fn(&AnyDistribution<T>, &mut Plane<T>),
+    ) {
+        let mut part = [T::zero(); BLOCK];
+        *sum = part;
+        for (weight, each) in &self.terms {
+            term(each, &mut part);
+            within::<T, _>(
+                set,
+                #[inline(always)]
+                || {
+                    for (sum, part) in sum.iter_mut().zip(&part) {
+                        *sum = *sum + *weight * *part;
+                    }
+                },
+            );
         }
-        choice.chosen()
+        for sum in sum {
+            *sum = sum.min(T::max_finite());
+        }
+    }
+
+    /// [`choose`](Self::choose) for a block: every term draws.
+    fn choose_block(
+        &self,
+        set: InstructionSet,
+        [u0, u1]: [&Plane<T>; 2],
+        h: &mut [Plane<T>; 4],
+        probability: impl Fn(T, &AnyDistribution<T>, &mut Plane<T>),
+        draw: impl Fn(&AnyDistribution<T>, [&Plane<T>; 2], &mut [Plane<T>; 4]),
+    ) {
+        let zero = [T::zero(); BLOCK];
+        let (mut part, mut start, mut place, mut drawn) = (zero, zero, zero, [zero; 4]);
+        *h = [zero, zero, [T::one(); BLOCK], zero];
+        for (weight, each) in &self.terms {
+            probability(*weight, each, &mut part);
+            let at = |index: usize| {
+                let [u, _] = uniform([u0[index]; 2]);
+                reach(u, start[index], part[index])
+            };
+            fill(array::from_mut(&mut place), |index| [at(index).0]);
+            draw(each, [&place, u1], &mut drawn);
+            within::<T, _>(
+                set,
+                #[inline(always)]
+                || {
+                    refill(
+                        h,
+                        &mut [],
+                        #[inline(always)]
+                        |index, before| {
+                            let (_, reached) = at(index);
+                            let mut after = before;
+                            for (after, drawn) in after.iter_mut().zip(&drawn) {
+                                *after = T::select(reached, drawn[index], *after);
+                            }
+                            (after, [])
+                        },
+                    );
+                },
+            );
+            for (start, part) in start.iter_mut().zip(&part) {
+                *start = *start + *part;
+            }
+        }
     }
 }

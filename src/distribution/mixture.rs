@@ -87,7 +87,7 @@ pub(super) fn weights<T: Real>(weights: impl IntoIterator<Item = T>) -> Result<T
 /// add up to 1.
 ///
 /// The first uniform number chooses, and its place within the part of the chosen distribution
-/// serves as a fresh uniform number. Every distribution draws, one is taken.
+/// serves as a fresh uniform number.
 pub(crate) struct Choice<T: Real> {
     u: [T; 2],
     /// The sum of the probabilities so far.
@@ -102,16 +102,25 @@ impl<T: Real> Choice<T> {
         Self { u: uniform(u), start: zero, chosen: Vector::new(zero, zero, T::one()) }
     }
 
+    /// What the next distribution draws from, and where the number reaches it.
+    #[inline(always)]
+    pub(super) fn reach(&mut self, probability: T) -> ([T; 2], T::Mask) {
+        let (place, reached) = reach(self.u[0], self.start, probability);
+        self.start = self.start + probability;
+        ([place, self.u[1]], reached)
+    }
+
+    /// Takes what a distribution draws where the number reaches it. A later distribution replaces
+    /// an earlier one, so that rounding of the sum of probabilities leaves no gap at the end.
+    #[inline(always)]
+    pub(super) fn take(&mut self, reached: T::Mask, drawn: T::Vec3) {
+        self.chosen = Vector::select(reached, drawn, self.chosen);
+    }
+
     #[inline(always)]
     pub(crate) fn offer(&mut self, probability: T, draw: impl FnOnce([T; 2]) -> T::Vec3) {
-        let (zero, one) = (T::zero(), T::one());
-        let place = (self.u[0] - self.start) / probability.max(T::lit(1e-37));
-        let drawn = draw([place.clamp(zero, one), self.u[1]]);
-        // A later distribution replaces an earlier one, so that rounding of the sum of
-        // probabilities leaves no gap at the end.
-        let reached = self.u[0].ge(self.start).and(probability.gt(zero));
-        self.chosen = Vector::select(reached, drawn, self.chosen);
-        self.start = self.start + probability;
+        let (u, reached) = self.reach(probability);
+        self.take(reached, draw(u));
     }
 
     #[inline(always)]
@@ -120,11 +129,18 @@ impl<T: Real> Choice<T> {
     }
 }
 
+/// The place of a number in the part of a distribution that begins at `start`, and where the number
+/// lies at or behind the beginning.
+#[inline(always)]
+pub(super) fn reach<T: Real>(u: T, start: T, probability: T) -> (T, T::Mask) {
+    let place = (u - start) / probability.max(T::lit(1e-37));
+    (place.clamp(T::zero(), T::one()), u.ge(start).and(probability.gt(T::zero())))
+}
+
 /// What the distributions of a mixture have in common where visible normals are drawn.
 ///
 /// 1/G₁ = Σ wᵢ/G₁ᵢ, hence G₁ (wo·h) D/cos = Σ (wᵢ G₁/G₁ᵢ) times the same of component i.
 pub(crate) struct Visible<T: Real> {
-    wo: T::Vec3,
     cos: T,
     /// cos/G₁ of the mixture.
     all: T,
@@ -135,14 +151,14 @@ impl<T: Real> Visible<T> {
     #[inline(always)]
     pub(crate) fn new(wo: T::Vec3, lambda_cos: T) -> Self {
         let cos = wo.z().max(T::zero());
-        Self { wo, cos, all: (cos + lambda_cos).max(T::lit(1e-37)) }
+        Self { cos, all: (cos + lambda_cos).max(T::lit(1e-37)) }
     }
 
-    /// Offers a distribution of the mixture to a choice.
+    /// The probability that a visible facet is of a kind with this weight and this
+    /// [`Smith::lambda_cos`].
     #[inline(always)]
-    pub(crate) fn offer<D: Smith<T>>(&self, choice: &mut Choice<T>, weight: T, distribution: &D) {
-        let visible = self.cos + distribution.lambda_cos(self.wo);
-        choice.offer(weight * (visible / self.all), |u| distribution.sample_visible(self.wo, u));
+    pub(crate) fn probability(&self, weight: T, lambda_cos: T) -> T {
+        weight * ((self.cos + lambda_cos) / self.all)
     }
 }
 
@@ -187,7 +203,8 @@ impl<T: Real, D: Smith<T>, const N: usize> Smith<T> for Mixture<T, D, N> {
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let (visible, mut choice) = (Visible::new(wo, self.lambda_cos(wo)), Choice::new(u));
         for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
-            visible.offer(&mut choice, weight, distribution);
+            let probability = visible.probability(weight, distribution.lambda_cos(wo));
+            choice.offer(probability, |u| distribution.sample_visible(wo, u));
         }
         choice.chosen()
     }

@@ -14,7 +14,7 @@ mod roughness;
 mod traits;
 
 pub use any::AnyDistribution;
-pub(crate) use any::{each_distribution, each_smith};
+pub(crate) use any::{each_distribution, each_single_smith, each_smith};
 pub use any_mixture::AnyMixture;
 pub use beckmann::Beckmann;
 pub use blinn::Blinn;

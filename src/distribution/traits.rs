@@ -52,6 +52,28 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
         );
     }
 
+    /// [`density_along`](Self::density_along) for a block of vectors.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn density_along_block(
+        &self,
+        set: InstructionSet,
+        m: DirectionBlock<'_, T>,
+        densities: &mut Plane<T>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    array::from_mut(densities),
+                    #[inline(always)]
+                    |index| [self.density_along(m.at(index))],
+                );
+            },
+        );
+    }
+
     /// [`sample`](Self::sample) for a block of uniform numbers, as
     /// [`Brdf::eval_block`](crate::Brdf::eval_block): the components of `h` fill the first three
     /// planes.
@@ -108,6 +130,28 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     /// a unit vector that does not lie below the surface. A `wo` that is no direction above the
     /// surface counts as the normal.
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
+
+    /// [`projected_area`](Self::projected_area) for a block of directions.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn projected_area_block(
+        &self,
+        set: InstructionSet,
+        w: DirectionBlock<'_, T>,
+        areas: &mut Plane<T>,
+    ) {
+        within::<T, _>(
+            set,
+            #[inline(always)]
+            || {
+                fill(
+                    array::from_mut(areas),
+                    #[inline(always)]
+                    |index| [self.projected_area(w.at(index))],
+                );
+            },
+        );
+    }
 
     /// [`sample_visible`](Self::sample_visible) for a block of viewers, as
     /// [`Distribution::sample_block`].

@@ -1,10 +1,13 @@
-use super::shadowing::Shadowing;
+use super::mixture_block;
+use super::shadowing::{Draw, Mirrored, Shadowing};
 use super::smith::{SmithCorrelated, SmithSeparable};
 use super::v_cavity::VCavity;
 use crate::block::{DirectionBlock, InstructionSet, Plane};
 use crate::direction::Pair;
-use crate::distribution::{AnyDistribution, Smith, each_distribution, each_smith};
-use crate::real::{Real, lift};
+use crate::distribution::{
+    AnyDistribution, Smith, each_distribution, each_single_smith, each_smith,
+};
+use crate::real::{Real, call, lift};
 
 /// Any shadowing of this crate for [any distribution](AnyDistribution), chosen at run time.
 ///
@@ -54,19 +57,61 @@ impl From<SmithSeparable> for AnyShadowing {
     }
 }
 
-/// The same expression for every kind, with the distribution as the kind needs it.
+/// The same expression for every kind, with the distribution as the kind needs it; the last one for
+/// V-cavities.
 macro_rules! chosen {
     ($any:expr, $distribution:ident, $kind:ident => $result:expr, $cavity:expr) => {
+        chosen!(each_smith; $any, $distribution, $kind => $result, $cavity)
+    };
+    ($each:ident; $any:expr, $distribution:ident, $kind:ident => $result:expr, $cavity:expr) => {
         match $any {
             AnyShadowing::VCavity => $cavity,
             AnyShadowing::SmithCorrelated => {
                 let $kind = SmithCorrelated;
-                each_smith!($distribution, one => { let $distribution = one; $result }, $cavity)
+                $each!($distribution, one => { let $distribution = one; $result }, $cavity)
             }
             AnyShadowing::SmithSeparable => {
                 let $kind = SmithSeparable;
-                each_smith!($distribution, one => { let $distribution = one; $result }, $cavity)
+                $each!($distribution, one => { let $distribution = one; $result }, $cavity)
             }
+        }
+    };
+}
+
+/// A function of blocks of mixtures for the kind of shadowing.
+macro_rules! of_mixture {
+    ($any:expr, $mixture:ident, $function:ident($($argument:expr),*)) => {
+        match $any {
+            AnyShadowing::SmithCorrelated if $mixture.as_smith().is_some() => {
+                mixture_block::$function::<T, SmithCorrelated>($mixture, $($argument),*);
+            }
+            AnyShadowing::SmithSeparable if $mixture.as_smith().is_some() => {
+                mixture_block::$function::<T, SmithSeparable>($mixture, $($argument),*);
+            }
+            _ => mixture_block::$function::<T, VCavity>($mixture, $($argument),*),
+        }
+    };
+}
+
+/// The same for blocks, with a function of the module of mixtures for these.
+macro_rules! block {
+    (
+        $any:expr, $distribution:ident, $kind:ident => $result:expr,
+        $mixture:ident($($argument:expr),*)
+    ) => {
+        match $distribution {
+            AnyDistribution::Mixture(mixture) => {
+                of_mixture!($any, mixture, $mixture($($argument),*));
+            }
+            _ => chosen!(
+                each_single_smith; $any, $distribution, $kind => $result,
+                {
+                    let $kind = VCavity;
+                    each_distribution!(
+                        $distribution, one => { let $distribution = one; $result }
+                    )
+                }
+            ),
         }
     };
 }
@@ -108,6 +153,30 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
         }
     }
 
+    #[inline]
+    fn mirrored(&self, distribution: &AnyDistribution<T>, wi: T::Vec3, wo: T::Vec3) -> Mirrored<T> {
+        chosen!(
+            self, distribution, kind => call(|| kind.mirrored(distribution, wi, wo)),
+            each_distribution!(distribution, one => call(|| VCavity.mirrored(one, wi, wo)))
+        )
+    }
+
+    #[inline]
+    fn pdf(&self, distribution: &AnyDistribution<T>, wi: T::Vec3, wo: T::Vec3) -> T {
+        chosen!(
+            self, distribution, kind => call(|| kind.pdf(distribution, wi, wo)),
+            each_distribution!(distribution, one => call(|| VCavity.pdf(one, wi, wo)))
+        )
+    }
+
+    #[inline]
+    fn mirror(&self, distribution: &AnyDistribution<T>, wo: T::Vec3, h: T::Vec3) -> Draw<T> {
+        chosen!(
+            self, distribution, kind => call(|| kind.mirror(distribution, wo, h)),
+            each_distribution!(distribution, one => call(|| VCavity.mirror(one, wo, h)))
+        )
+    }
+
     fn sample_visible_block(
         &self,
         distribution: &AnyDistribution<T>,
@@ -129,11 +198,9 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
         pairs: [DirectionBlock<'_, T>; 2],
         mirrored: &mut [Plane<T>; 2],
     ) {
-        chosen!(
+        block!(
             self, distribution, kind => kind.mirrored_block(distribution, set, pairs, mirrored),
-            each_distribution!(
-                distribution, one => VCavity.mirrored_block(one, set, pairs, mirrored)
-            )
+            mirrored(set, pairs, mirrored)
         );
     }
 
@@ -144,9 +211,9 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
         pairs: [DirectionBlock<'_, T>; 2],
         densities: &mut Plane<T>,
     ) {
-        chosen!(
+        block!(
             self, distribution, kind => kind.pdf_block(distribution, set, pairs, densities),
-            each_distribution!(distribution, one => VCavity.pdf_block(one, set, pairs, densities))
+            pdf(set, pairs, densities)
         );
     }
 
@@ -158,11 +225,9 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
         wi_pdf: &mut [Plane<T>; 4],
         weight: &mut [Plane<T>; 2],
     ) {
-        chosen!(
+        block!(
             self, distribution, kind => kind.mirror_block(distribution, set, wo, wi_pdf, weight),
-            each_distribution!(
-                distribution, one => VCavity.mirror_block(one, set, wo, wi_pdf, weight)
-            )
+            mirror(set, wo, wi_pdf, weight)
         );
     }
 }

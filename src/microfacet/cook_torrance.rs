@@ -1,4 +1,4 @@
-use super::shadowing::{Draw, Mirrored, Shadowing, draw, mirrored, pdf};
+use super::shadowing::{Draw, Mirrored, Shadowing};
 use super::v_cavity::VCavity;
 use crate::block::{BLOCK, ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
@@ -125,18 +125,20 @@ where
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
-        let Mirrored { cos, scale } = mirrored(&self.distribution, &self.shadowing, wi, wo);
+        let Mirrored { cos, scale } = self.shadowing.mirrored(&self.distribution, wi, wo);
         reflected(&self.fresnel, cos, scale)
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        pdf(&self.distribution, &self.shadowing, wi, wo)
+        self.shadowing.pdf(&self.distribution, wi, wo)
     }
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
-        let Draw { wi, pdf, weight } = draw(&self.distribution, &self.shadowing, wo, u);
+        let (distribution, shadowing) = (&self.distribution, &self.shadowing);
+        let h = shadowing.sample_visible(distribution, wo, u);
+        let Draw { wi, pdf, weight } = shadowing.mirror(distribution, wo, h);
         Sample { wi, weight: reflected(&self.fresnel, weight.cos, weight.scale), pdf }
     }
 

@@ -1,8 +1,10 @@
 //! Surfaces of many small mirrors: shadowing of the facets, and their reflection.
 
 mod any_shadowing;
+mod areas;
 mod cook_torrance;
 mod historical;
+mod mixture_block;
 mod scaled;
 mod shadowing;
 mod smith;

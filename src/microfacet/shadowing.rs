@@ -60,6 +60,27 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
         );
     }
 
+    /// [`Mirrored`] of a pair.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mirrored(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> Mirrored<T> {
+        mirrored(distribution, self, wi, wo)
+    }
+
+    /// The density of samples.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn pdf(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> T {
+        pdf(distribution, self, wi, wo)
+    }
+
+    /// [`Draw`] from a normal.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mirror(&self, distribution: &D, wo: T::Vec3, h: T::Vec3) -> Draw<T> {
+        mirror(distribution, self, wo, h)
+    }
+
     /// [`Mirrored`] for a block of pairs.
     #[doc(hidden)]
     #[inline(never)]
@@ -128,8 +149,7 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
                     #[inline(always)]
                     |index, [x, y, z, _]| {
                         let h = Vector::new(x, y, z);
-                        let Draw { wi, pdf, weight } = mirror(distribution, self, wo.at(index), h);
-                        ([wi.x(), wi.y(), wi.z(), pdf], weight.planes())
+                        mirror(distribution, self, wo.at(index), h).planes()
                     },
                 );
             },
@@ -138,33 +158,60 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
 }
 
 /// Light that facets mirror: what the Fresnel term is asked, and what its answer is multiplied by.
-#[derive(Clone, Copy)]
-pub(super) struct Mirrored<T> {
+#[derive(Clone, Copy, Debug)]
+pub struct Mirrored<T> {
     /// The cosine of the angle of incidence on the facet, at most 1.
     pub(super) cos: T,
     /// Zero where there is no reflection.
     pub(super) scale: T,
 }
 
-impl<T> Mirrored<T> {
+impl<T: Real> Mirrored<T> {
+    /// From D and G/(4 (N·wi) (N·wo)).
     #[inline(always)]
-    fn planes(self) -> [T; 2] {
+    pub(super) fn of(pair: &Pair<T>, density: T, visibility: T) -> Self {
+        let value = (density * visibility).min(T::max_finite());
+        Self { cos: cos_d(pair), scale: value.only_where(pair.above) }
+    }
+
+    #[inline(always)]
+    pub(super) fn planes(self) -> [T; 2] {
         [self.cos, self.scale]
     }
 }
 
 /// A direction drawn by visible normals.
-#[derive(Clone, Copy)]
-pub(super) struct Draw<T: Real> {
+#[derive(Clone, Copy, Debug)]
+pub struct Draw<T: Real> {
     pub(super) wi: T::Vec3,
     pub(super) pdf: T,
     /// What the weight consists of.
     pub(super) weight: Mirrored<T>,
 }
 
+impl<T: Real> Draw<T> {
+    /// From D, G₁/(4 N·wo) and G/G₁. All from the pair, so that it agrees with `eval` and `pdf` to
+    /// the last bit.
+    #[inline(always)]
+    pub(super) fn of(pair: &Pair<T>, density: T, masking: T, unshadowed: T) -> Self {
+        Self {
+            wi: pair.wi,
+            pdf: pdf_of(pair, density, masking),
+            weight: Mirrored { cos: cos_d(pair), scale: unshadowed.only_where(pair.above) },
+        }
+    }
+
+    /// Direction and density, and beside them the rest.
+    #[inline(always)]
+    pub(super) fn planes(self) -> ([T; 4], [T; 2]) {
+        let Self { wi, pdf, weight } = self;
+        ([wi.x(), wi.y(), wi.z(), pdf], weight.planes())
+    }
+}
+
 /// D G / (4 (N·wi) (N·wo)).
 #[inline(always)]
-pub(super) fn mirrored<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
+fn mirrored<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     distribution: &D,
     shadowing: &S,
     wi: T::Vec3,
@@ -175,15 +222,14 @@ pub(super) fn mirrored<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>
         || {
             let pair = Pair::new(wi, wo);
             let visibility = shadowing.visibility(distribution, &pair);
-            let value = (distribution.density_along(pair.sum) * visibility).min(T::max_finite());
-            Mirrored { cos: cos_d(&pair), scale: value.only_where(pair.above) }
+            Mirrored::of(&pair, distribution.density_along(pair.sum), visibility)
         },
     )
 }
 
 /// D G₁ / (4 N·wo).
 #[inline(always)]
-pub(super) fn pdf<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
+fn pdf<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     distribution: &D,
     shadowing: &S,
     wi: T::Vec3,
@@ -193,21 +239,9 @@ pub(super) fn pdf<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
         #[inline(always)]
         || {
             let pair = Pair::new(wi, wo);
-            density(distribution, shadowing, &pair).only_where(pair.above)
+            let masking = shadowing.masking(distribution, &pair);
+            pdf_of(&pair, distribution.density_along(pair.sum), masking)
         },
-    )
-}
-
-#[inline(always)]
-pub(super) fn draw<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
-    distribution: &D,
-    shadowing: &S,
-    wo: T::Vec3,
-    u: [T; 2],
-) -> Draw<T> {
-    in_place::<T, _>(
-        #[inline(always)]
-        || mirror(distribution, shadowing, wo, shadowing.sample_visible(distribution, wo, u)),
     )
 }
 
@@ -219,28 +253,30 @@ fn mirror<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     wo: T::Vec3,
     h: T::Vec3,
 ) -> Draw<T> {
+    in_place::<T, _>(
+        #[inline(always)]
+        || {
+            let pair = mirror_pair::<T>(wo, h);
+            let unshadowed = shadowing.unshadowed(distribution, &pair);
+            let masking = shadowing.masking(distribution, &pair);
+            Draw::of(&pair, distribution.density_along(pair.sum), masking, unshadowed)
+        },
+    )
+}
+
+/// The viewer and what a facet of the normal `h` mirrors to it.
+#[inline(always)]
+pub(super) fn mirror_pair<T: Real>(wo: T::Vec3, h: T::Vec3) -> Pair<T> {
     let above = above_surface::<T, _>(wo);
     let wo = above_or_normal::<T, _>(wo);
     let wi = reflect(wo, h);
-    // Everything else from the pair, so that it agrees with `eval` and `pdf` to the last bit.
-    let pair = Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above));
-    let unshadowed = shadowing.unshadowed(distribution, &pair);
-    Draw {
-        wi,
-        pdf: density(distribution, shadowing, &pair).only_where(pair.above),
-        weight: Mirrored { cos: cos_d(&pair), scale: unshadowed.only_where(pair.above) },
-    }
+    Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above))
 }
 
-/// The density of the samples, whether or not the light is above the surface.
+/// The density of samples from D and G₁/(4 N·wo).
 #[inline(always)]
-fn density<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
-    distribution: &D,
-    shadowing: &S,
-    pair: &Pair<T>,
-) -> T {
-    let masking = shadowing.masking(distribution, pair);
-    (distribution.density_along(pair.sum) * masking).min(T::max_finite())
+pub(super) fn pdf_of<T: Real>(pair: &Pair<T>, density: T, masking: T) -> T {
+    (density * masking).min(T::max_finite()).only_where(pair.above)
 }
 
 /// The cosine that the Fresnel term is asked for. That of a pair exceeds 1 by the rounding of the
@@ -280,6 +316,18 @@ macro_rules! forward {
                 h: &mut [Plane<T>; 4],
             ) {
                 (**self).sample_visible_block(distribution, set, wo, u, h);
+            }
+            #[inline(always)]
+            fn mirrored(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> Mirrored<T> {
+                (**self).mirrored(distribution, wi, wo)
+            }
+            #[inline(always)]
+            fn pdf(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> T {
+                (**self).pdf(distribution, wi, wo)
+            }
+            #[inline(always)]
+            fn mirror(&self, distribution: &D, wo: T::Vec3, h: T::Vec3) -> Draw<T> {
+                (**self).mirror(distribution, wo, h)
             }
             fn mirrored_block(
                 &self,

@@ -1,3 +1,4 @@
+use super::areas::Areas;
 use super::shadowing::Shadowing;
 use crate::block::{DirectionBlock, InstructionSet, Plane};
 use crate::direction::Pair;
@@ -90,50 +91,73 @@ macro_rules! sampled_by_the_distribution {
     };
 }
 
-impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithCorrelated {
+/// Shadowing and masking from the projected areas A(wi) and A(wo).
+macro_rules! from_areas {
+    ($kind:ident) => {
+        impl<T: Real, D: Smith<T>> Shadowing<T, D> for $kind {
+            #[inline(always)]
+            fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
+                Self::visibility_of(areas(distribution, pair), pair)
+            }
+
+            #[inline(always)]
+            fn masking(&self, distribution: &D, pair: &Pair<T>) -> T {
+                Self::masking_of(areas(distribution, pair), pair)
+            }
+
+            #[inline(always)]
+            fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
+                Self::unshadowed_of(areas(distribution, pair), pair)
+            }
+
+            sampled_by_the_distribution!();
+        }
+    };
+}
+from_areas!(SmithCorrelated);
+from_areas!(SmithSeparable);
+
+impl<T: Real> Areas<T> for SmithCorrelated {
+    const NEEDED: bool = true;
+
     #[inline(always)]
-    fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
-        let [area_i, area_o] = areas(distribution, pair);
+    fn visibility_of([area_i, area_o]: [T; 2], pair: &Pair<T>) -> T {
         (T::lit(0.5) / (pair.cos_o * area_i + pair.cos_i * area_o)).min(T::max_finite())
     }
 
     #[inline(always)]
-    fn masking(&self, distribution: &D, pair: &Pair<T>) -> T {
-        masking(distribution, pair)
+    fn masking_of([_, area_o]: [T; 2], pair: &Pair<T>) -> T {
+        masking(area_o, pair)
     }
 
     #[inline(always)]
-    fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
-        let [area_i, area_o] = areas(distribution, pair);
+    fn unshadowed_of([area_i, area_o]: [T; 2], pair: &Pair<T>) -> T {
         let seen = pair.cos_o * area_i + pair.cos_i * area_o;
         // At most 1, but for rounding.
         (pair.cos_i * (pair.cos_o + area_o) / seen).min(T::one())
     }
-
-    sampled_by_the_distribution!();
 }
 
-impl<T: Real, D: Smith<T>> Shadowing<T, D> for SmithSeparable {
+impl<T: Real> Areas<T> for SmithSeparable {
+    const NEEDED: bool = true;
+
     #[inline(always)]
-    fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T {
-        let [area_i, area_o] = areas(distribution, pair);
+    fn visibility_of([area_i, area_o]: [T; 2], pair: &Pair<T>) -> T {
         let seen_twice = (pair.cos_i + area_i, pair.cos_o + area_o);
         (T::one() / (seen_twice.0 * seen_twice.1)).min(T::max_finite())
     }
 
     #[inline(always)]
-    fn masking(&self, distribution: &D, pair: &Pair<T>) -> T {
-        masking(distribution, pair)
+    fn masking_of([_, area_o]: [T; 2], pair: &Pair<T>) -> T {
+        masking(area_o, pair)
     }
 
     #[inline(always)]
-    fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
+    fn unshadowed_of([area_i, _]: [T; 2], pair: &Pair<T>) -> T {
         // At most 1, but for rounding.
-        let seen_twice = pair.cos_i + distribution.projected_area(pair.wi);
+        let seen_twice = pair.cos_i + area_i;
         (T::lit(2.0) * pair.cos_i / seen_twice).min(T::one())
     }
-
-    sampled_by_the_distribution!();
 }
 
 /// A(wi) and A(wo) with A(w) = (1 + 2Λ(w)) N·w.
@@ -144,6 +168,6 @@ fn areas<T: Real>(distribution: &impl Smith<T>, pair: &Pair<T>) -> [T; 2] {
 
 /// G₁/(4 N·wo) = 1/(2 (N·wo + A(wo))).
 #[inline(always)]
-fn masking<T: Real>(distribution: &impl Smith<T>, pair: &Pair<T>) -> T {
-    (T::lit(0.5) / (pair.cos_o + distribution.projected_area(pair.wo))).min(T::max_finite())
+fn masking<T: Real>(area_o: T, pair: &Pair<T>) -> T {
+    (T::lit(0.5) / (pair.cos_o + area_o)).min(T::max_finite())
 }

@@ -1,5 +1,6 @@
 use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
+use super::areas::Areas;
 use super::shadowing::Shadowing;
 use crate::block::{BLOCK, DirectionBlock, InstructionSet, Plane, refill, within};
 use crate::direction::{Pair, above_or_normal};
@@ -59,25 +60,45 @@ pub struct VCavity;
 
 lift!(VCavity);
 
-impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
+/// The grooves' shadows do not depend on the distribution.
+impl<T: Real> Areas<T> for VCavity {
+    const NEEDED: bool = false;
+
     #[inline(always)]
-    fn visibility(&self, _: &D, pair: &Pair<T>) -> T {
+    fn visibility_of(_: [T; 2], pair: &Pair<T>) -> T {
         let (smaller, larger) = (pair.cos_i.min(pair.cos_o), pair.cos_i.max(pair.cos_o));
         let denominator = larger * (smaller * pair.cos_h).max(half_cos_d(pair));
         (T::lit(0.25) * pair.cos_h / denominator).min(T::max_finite())
     }
 
     #[inline(always)]
-    fn masking(&self, _: &D, pair: &Pair<T>) -> T {
+    fn masking_of(_: [T; 2], pair: &Pair<T>) -> T {
         let denominator = (pair.cos_o * pair.cos_h).max(half_cos_d(pair));
         (T::lit(0.25) * pair.cos_h / denominator).min(T::max_finite())
     }
 
     #[inline(always)]
-    fn unshadowed(&self, _: &D, pair: &Pair<T>) -> T {
+    fn unshadowed_of(_: [T; 2], pair: &Pair<T>) -> T {
         let masked = (pair.cos_o * pair.cos_h).max(half_cos_d(pair));
         let shadowed = (pair.cos_i * pair.cos_h).max(half_cos_d(pair));
         (pair.cos_i / pair.cos_o * (masked / shadowed)).min(T::one())
+    }
+}
+
+impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
+    #[inline(always)]
+    fn visibility(&self, _: &D, pair: &Pair<T>) -> T {
+        Self::visibility_of([T::zero(); 2], pair)
+    }
+
+    #[inline(always)]
+    fn masking(&self, _: &D, pair: &Pair<T>) -> T {
+        Self::masking_of([T::zero(); 2], pair)
+    }
+
+    #[inline(always)]
+    fn unshadowed(&self, _: &D, pair: &Pair<T>) -> T {
+        Self::unshadowed_of([T::zero(); 2], pair)
     }
 
     #[inline(always)]

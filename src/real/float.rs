@@ -16,6 +16,10 @@ impl Mask for bool {
     fn not(self) -> Self {
         !self
     }
+    #[inline(always)]
+    fn is_never(self) -> bool {
+        !self
+    }
 }
 
 macro_rules! functions {

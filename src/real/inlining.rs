@@ -9,8 +9,9 @@ pub(crate) fn in_place<T: Real, R>(formula: impl FnOnce() -> R) -> R {
     if T::VECTORIZES { formula() } else { call(formula) }
 }
 
+/// Runs a formula through a call.
 #[inline(never)]
-fn call<R>(formula: impl FnOnce() -> R) -> R {
+pub(crate) fn call<R>(formula: impl FnOnce() -> R) -> R {
     formula()
 }
 

@@ -11,7 +11,7 @@ mod traits;
 mod vector3;
 mod zero;
 
-pub(crate) use inlining::{in_place, iterate};
+pub(crate) use inlining::{call, in_place, iterate};
 pub use lanes::Lanes;
 pub use lift::Lift;
 pub(crate) use lift::lift;

@@ -21,6 +21,12 @@ pub trait Mask: Copy + Debug {
     /// True where this is false.
     #[must_use]
     fn not(self) -> Self;
+    /// Whether this is known to be false everywhere, so that what it would choose need not be
+    /// computed. For speed alone: an answer must not depend on it.
+    #[must_use]
+    fn is_never(self) -> bool {
+        false
+    }
 }
 
 /// The number that every formula of this crate is written over.
