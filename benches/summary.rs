@@ -1,4 +1,4 @@
-//! The table of the README: `cargo bench --bench summary`.
+//! The summary in `docs/speed.md`: `cargo bench --bench summary`.
 //!
 //! Nanoseconds per pair of directions, structure of arrays, each the median of five runs of at least
 //! 50 ms; all cells of a row within seconds of each other. 4096 pairs stay in the cache; 2²⁰ pairs

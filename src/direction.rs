@@ -127,7 +127,7 @@ pub struct Refraction<V, M> {
     pub total_internal_reflection: M,
 }
 
-/// The refracted direction by Snell's law, sin β / sin α = n₁/n₂.
+/// The refracted direction by Snell's law, sinθ₂/sinθ₁ = n₁/n₂.
 ///
 /// `w` is a unit vector that points away from the surface, `normal` the unit normal. `eta_above` and
 /// `eta_below`, both positive, are the indices on the side that the normal points to and on the
@@ -169,7 +169,7 @@ pub fn refract<T: Real, V: Vector<T>>(
     }
 }
 
-/// The angle of incidence in radians from which on all light is reflected, sin α = n₂/n₁; π/2
+/// The angle of incidence in radians from which on all light is reflected, sinθ = n₂/n₁; π/2
 /// where every angle transmits (n₂ ≥ n₁). Both indices are positive.
 ///
 /// ```
@@ -181,7 +181,7 @@ pub fn critical_angle<T: Real>(n1: T, n2: T) -> T {
     (n2 / n1).asin()
 }
 
-/// Brewster's angle in radians, tan α = n₂/n₁, where no light polarised in the plane of
+/// Brewster's angle in radians, tanθ = n₂/n₁, where no light polarised in the plane of
 /// incidence is reflected. Both indices are positive.
 ///
 /// ```

@@ -1,3 +1,6 @@
+// The labels of links and pictures are defined in front of the page, see `guide`.
+#![cfg_attr(all(doc, not(doctest)), doc = include_str!("guide/links.md"))]
+#![cfg_attr(all(doc, not(doctest)), doc = include_str!("guide/pictures.md"))]
 #![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
 #![warn(unreachable_pub, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
@@ -22,6 +25,8 @@ mod error;
 mod frame;
 pub mod fresnel;
 pub mod glossy;
+#[cfg(doc)]
+pub mod guide;
 #[cfg(feature = "materials")]
 pub mod materials;
 pub mod microfacet;

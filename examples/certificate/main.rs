@@ -1,8 +1,8 @@
 //! Measures what the documentation says of every model and writes it down.
 //!
 //! ```sh
-//! cargo run --release --example certificate            # writes docs/certificate.md, README.md
-//! cargo run --release --example certificate -- --check # fails if they say something else
+//! cargo run --release --example certificate            # writes docs/certificate.md
+//! cargo run --release --example certificate -- --check # fails if it says something else
 //! ```
 //!
 //! The same measurements as in the tests, on the same list of models, at full size. Fails, and
@@ -55,21 +55,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     bar.finish_and_clear();
 
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let readme = root.join("README.md");
-    let pages = [
-        (root.join("docs/certificate.md"), page::certificate(&rows, &bugs)),
-        (readme.clone(), page::readme(&fs::read_to_string(readme)?, &rows)?),
-    ];
-    for (path, text) in pages {
-        if !check {
-            fs::write(&path, text)?;
-        } else if fs::read_to_string(&path)? != text {
-            let measured = env::temp_dir().join("certificate.md");
-            fs::write(&measured, text)?;
-            let (path, measured) = (path.display(), measured.display());
-            return Err(format!("{path} is not what was measured, which is in {measured}").into());
-        }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/certificate.md");
+    let text = page::certificate(&rows, &bugs);
+    if !check {
+        fs::write(&path, text)?;
+    } else if fs::read_to_string(&path)? != text {
+        let measured = env::temp_dir().join("certificate.md");
+        fs::write(&measured, text)?;
+        let (path, measured) = (path.display(), measured.display());
+        return Err(format!("{path} is not what was measured, which is in {measured}").into());
     }
     Ok(())
 }

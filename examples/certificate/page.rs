@@ -8,11 +8,21 @@ use crate::common::measure::sampling::chi_squared::least_of;
 use crate::common::mutation::mutant::Outcome;
 use crate::row::{ANGLES, PAIRS, Row, SIZE};
 
-const HEAD: &str = "# What was measured of every model
+const HEAD: &str = "\
+# What was measured of every model
 
 Written by `cargo run --release --example certificate`; `-- --check` compares it with a new
-measurement. One line for each model and set of parameters that the tests know
-(`tests/common/models`).";
+measurement. The first table has one line for each model, with the worst of its sets of parameters. A
+model whose albedo exceeds 1 reflects more than it receives; a `WeightedSum` does not if its terms do not
+and the weights of each channel add up to at most 1. Where a largest albedo has two figures, the
+second is that of the sets that exceed 1, and names the worst of them.
+";
+
+const ALL: &str = "
+## All sets of parameters
+
+The second table has one line for each model and set of parameters that the tests know
+(`tests/common/models`). Its columns mean:";
 
 const BUGS: &str = "\
 Each formula runs on any number, so a bug can be seeded by a number that errs: at one place of the
@@ -70,16 +80,18 @@ fn legend(rows: &[Row]) -> String {
     )
 }
 
-/// The page with one line for each entry of the registry.
+/// The page: a line for each kind of model, one for each entry of the registry, and the bugs.
 pub(crate) fn certificate(rows: &[Row], bugs: &[Outcome]) -> String {
     let mut page = format!(
         "{HEAD}
+{}{ALL}
 
 {}
 
 | model | largest albedo | at | reciprocal | `f32` error, median | largest | of its bound | ∫ pdf − 1 | smallest p | weight | bugs found |
 |---|---|---|---|---|---|---|---|---|---|---|
 ",
+        summary(rows),
         legend(rows)
     );
     for row in rows {
@@ -129,14 +141,8 @@ fn reciprocal(row: &Row) -> String {
     }
 }
 
-const BEGIN: &str = "<!-- measured, begin -->\n";
-const END: &str = "<!-- measured, end -->\n";
-
-/// The front page with a new table between its marks: one line for each kind of model, the worst of
-/// its entries.
-pub(crate) fn readme(text: &str, rows: &[Row]) -> Result<String, String> {
-    let (head, rest) = text.split_once(BEGIN).ok_or_else(|| format!("no {BEGIN}"))?;
-    let (_, tail) = rest.split_once(END).ok_or_else(|| format!("no {END}"))?;
+/// A table with one line for each kind of model, the worst of its entries.
+fn summary(rows: &[Row]) -> String {
     let mut kinds: Vec<&str> = Vec::new();
     let mut entries: BTreeMap<&str, Vec<&Row>> = BTreeMap::new();
     for row in rows {
@@ -166,7 +172,7 @@ pub(crate) fn readme(text: &str, rows: &[Row]) -> Result<String, String> {
             largest(|row| row.precision.maximum),
         );
     }
-    Ok(format!("{head}{BEGIN}{table}{END}{tail}"))
+    table
 }
 
 /// The largest albedo of the entries that conserve energy, and of those that do not.

@@ -36,7 +36,7 @@ const LAMP: Lamp = Lamp {
 const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
     Unless a caption says otherwise, the light is a photographed square under an overcast sky, with \
     a round warm lamp added above at the left. Exposure is fixed, so brightnesses compare. The tone curve is M/(1 + M) for the largest channel M, the \
-    others keep their ratio to it; then sRGB. No sphere sees another. m is roughness, n an exponent \
+    others keep their ratio to it; then sRGB. No sphere sees another. α is roughness, n an exponent \
     or an index of refraction, σ an angle in radians.";
 
 struct Arguments {

@@ -9,9 +9,9 @@ use crate::sampling::cosine_hemisphere;
 /// Oren and Nayar's rough diffuse surface of Lambertian V-grooves, qualitative form.
 ///
 /// ```text
-/// f = ρ/π · (A + B max(0, cosΔφ) sinα tanβ)
+/// f = ρ/π · (A + B max(0, cosΔφ) sinθ₁ tanθ₂)
 /// A = 1 − 0.5 σ²/(σ² + 0.33)        B = 0.45 σ²/(σ² + 0.09)
-/// α = max(θᵢ, θₒ)    β = min(θᵢ, θₒ)    cosΔφ sinα tanβ = (xᵢxₒ + yᵢyₒ)/max(cosθᵢ, cosθₒ)
+/// θ₁ = max(θᵢ, θₒ)    θ₂ = min(θᵢ, θₒ)    cosΔφ sinθ₁ tanθ₂ = (xᵢxₒ + yᵢyₒ)/max(cosθᵢ, cosθₒ)
 /// ```
 ///
 /// | symbol | parameter | meaning | range |
@@ -19,8 +19,8 @@ use crate::sampling::cosine_hemisphere;
 /// | ρ | `albedo` | fraction of the light that a facet reflects | 0 … 1 |
 /// | σ | `sigma` | standard deviation of the tilt of the facets, radians | 0 … π/2 |
 ///
-/// The model is meant for σ up to about 1.2; a tilt never exceeds π/2. σ is not the roughness of
-/// the microfacet distributions: for small angles that is √2 σ.
+/// The paper calls the angles θ₁ and θ₂ α and β. The model is meant for σ up to about 1.2; a tilt never
+/// exceeds π/2. σ is not the roughness of the microfacet distributions: for small angles that is √2 σ.
 ///
 /// The constant 0.33 leaves out the light that facets send to each other. The authors offer 0.57
 /// in its place, in A alone, to make up for part of it:
@@ -29,7 +29,7 @@ use crate::sampling::cosine_hemisphere;
 /// Reciprocal, to the last bit. σ = 0 is [`Lambert`](crate::Lambert), to the last bit. **Not** conserving: the
 /// directional albedo rises from ρA at normal incidence to ρ(A + B/2) at grazing, at most 1.0152 ρ
 /// (σ = 0.199), with interreflection 1.0444 ρ (σ = 0.291); with ρ ≤ 0.95 all energy balances. f
-/// grows without bound, as tanβ, where both directions graze; the radiance f cosθᵢ does not.
+/// grows without bound, as tanθ₂, where both directions graze; the radiance f cosθᵢ does not.
 ///
 /// Albedo in closed form, with s = sinθ, c = cosθ:
 /// E = ρ (A + 2B/π · (s(θ − sc)/2 + sc(1 + s + s²)/(3(1 + s)))). Sampled with density cosθ/π.
@@ -99,7 +99,7 @@ impl<C, T> OrenNayar<C, T> {
 }
 
 impl<T: Real, C: Color<T>> OrenNayar<C, T> {
-    /// π f for a facet albedo of 1: A + B max(0, cosΔφ) sinα tanβ.
+    /// π f for a facet albedo of 1: A + B max(0, cosΔφ) sinθ₁ tanθ₂.
     #[inline(always)]
     fn relative(&self, wi: T::Vec3, wo: T::Vec3) -> T {
         let across = wi.x() * wo.x() + wi.y() * wo.y();

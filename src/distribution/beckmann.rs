@@ -7,22 +7,23 @@ use crate::real::{Mask, Real, Vector, ierfc, lift};
 /// Beckmann's distribution: facets of a surface whose slopes are normally distributed.
 ///
 /// ```text
-/// D = exp(−(h_x²/a_x² + h_y²/a_y²)/h_z²) / (π a_x a_y h_z⁴)
-/// Λ = (exp(−ν²)/(ν√π) − erfc ν)/2,  ν = w_z / √(a_x² w_x² + a_y² w_y²)
+/// D = exp(−(h_x²/α_x² + h_y²/α_y²)/h_z²) / (π α_x α_y h_z⁴)
+/// Λ = (exp(−ν²)/(ν√π) − erfc ν)/2,  ν = w_z / √(α_x² w_x² + α_y² w_y²)
 /// ```
 ///
-/// With equal roughness m, D = exp(−tan²α/m²)/(π m² cos⁴α), α the angle between h and the normal.
+/// With equal roughness α, D = exp(−tan²θ_h/α²)/(π α² cos⁴θ_h), where θ_h is the angle between h and the
+/// normal.
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
-/// | a_x, a_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent: √2 times the root-mean-square slope | 10⁻⁸ … 10⁴ |
+/// | α_x, α_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent: √2 times the root-mean-square slope | 10⁻⁸ … 10⁴ |
 ///
-/// Normalised, ∫ D cosα dω = 1. The peak 1/(π m²) lies at the normal for m ≤ 1/√2, beyond that on
-/// the ring cos²α = 1/(2m²). Roughness to 0 makes a mirror.
+/// Normalised, ∫ D cosθ_h dω = 1. The peak 1/(π α²) lies at the normal for α ≤ 1/√2, beyond that on the
+/// ring cos²θ_h = 1/(2α²). Roughness to 0 makes a mirror.
 ///
-/// Two printed forms differ by a constant: the form in Cook and Torrance 1982, exp(−tan²α/m²)/(m²
-/// cos⁴α), is π times this one, the form exp(−tan²α/m²)/(4 m² cos⁴α) is π/4 times this one. Neither
-/// is normalised.
+/// Two printed forms differ by a constant: the form in Cook and Torrance 1982,
+/// exp(−tan²θ_h/α²)/(α² cos⁴θ_h), is π times this one, and the form exp(−tan²θ_h/α²)/(4 α² cos⁴θ_h) is
+/// π/4 times this one. Neither is normalised.
 ///
 /// P. Beckmann, A. Spizzichino, *The Scattering of Electromagnetic Waves from Rough Surfaces*,
 /// 1963. R. L. Cook, K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1),
@@ -38,7 +39,7 @@ use crate::real::{Mask, Real, Vector, ierfc, lift};
 /// use glam::DVec3;
 ///
 /// let beckmann = Beckmann::new(0.5_f64)?;
-/// assert!((beckmann.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π m²)
+/// assert!((beckmann.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π α²)
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

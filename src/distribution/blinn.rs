@@ -8,16 +8,16 @@ use crate::sampling::uniform;
 /// A power of the cosine: the distribution behind the lobes of Phong and Blinn.
 ///
 /// ```text
-/// D = (n + 2)/(2π) cosⁿα
+/// D = (n + 2)/(2π) cosⁿθ_h
 /// ```
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
-/// | α | | angle between h and the normal | 0 … π/2 |
+/// | θ_h | | angle between h and the normal | 0 … π/2 |
 /// | n | `exponent` | sharpness; 0 makes D constant, large n a mirror | 0 … 10⁸ |
 ///
-/// Normalised, ∫ D cosα dω = 1. Blinn's own D₁ is the same power with maximum 1 instead, see
-/// [`Blinn1977`](crate::Blinn1977). cosⁿα is computed as (cos²α/(cos²α + sin²α))^(n/2),
+/// Normalised, ∫ D cosθ_h dω = 1. Blinn's own D₁ is the same power with maximum 1 instead, see
+/// [`Blinn1977`](crate::Blinn1977). cosⁿθ_h is computed as (cos²θ_h/(cos²θ_h + sin²θ_h))^(n/2),
 /// which keeps its digits close to the normal, where large exponents live.
 ///
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
@@ -47,7 +47,7 @@ impl<T: Real> Blinn<T> {
         Ok(Self { exponent })
     }
 
-    /// The distribution that peaks as high as Beckmann's of roughness m: n = 2/m² − 2. For small m
+    /// The distribution that peaks as high as Beckmann's of roughness α: n = 2/α² − 2. For small α
     /// the two agree everywhere.
     ///
     /// ```

@@ -7,14 +7,14 @@ use crate::real::{Mask, Real};
 /// 1, and scaled so that all of them fall to ½ at the same angle β.
 ///
 /// ```text
-/// D₁ = cos^c₁ α                              c₁ = −ln 2/ln cosβ      Phong
-/// D₂ = exp(−(c₂ α)²)                         c₂ = √(ln 2)/β          Torrance–Sparrow
-/// D₃ = (c₃²/(cos²α (c₃² − 1) + 1))²          c₃² = (cos²β − 1)/(cos²β − √2)   Trowbridge–Reitz
+/// D₁ = cos^c₁ θ_h                            c₁ = −ln 2/ln cosβ      Phong
+/// D₂ = exp(−(c₂ θ_h)²)                       c₂ = √(ln 2)/β          Torrance–Sparrow
+/// D₃ = (c₃²/(cos²θ_h (c₃² − 1) + 1))²        c₃² = (cos²β − 1)/(cos²β − √2)   Trowbridge–Reitz
 /// ```
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
-/// | α | `alpha` | angle between the half vector and the normal, radians | 0 … π/2 |
+/// | θ_h | `theta_h` | angle between the half vector and the normal, radians | 0 … π/2 |
 /// | β | `beta` | angle at which D = ½, radians | 2·10⁻⁴ … 1.57 |
 ///
 /// For reflection use the normalised forms: [`Blinn`](crate::Blinn) with exponent c₁,
@@ -77,9 +77,9 @@ impl<T: Real> Blinn1977<T> {
     /// Phong's power of the cosine.
     #[inline(always)]
     #[must_use]
-    pub fn d1(&self, alpha: T) -> T {
-        let (sin, cos) = alpha.sin_cos();
-        let above = above(alpha, cos);
+    pub fn d1(&self, theta_h: T) -> T {
+        let (sin, cos) = theta_h.sin_cos();
+        let above = above(theta_h, cos);
         let tan_squared = (sin / T::select(above, cos, T::one())).squared();
         let power = (T::lit(-0.5) * self.c1 * tan_squared.ln_1p()).exp();
         power.only_where(above)
@@ -88,25 +88,25 @@ impl<T: Real> Blinn1977<T> {
     /// Torrance and Sparrow's normal distribution of the angle.
     #[inline(always)]
     #[must_use]
-    pub fn d2(&self, alpha: T) -> T {
-        let above = above(alpha, alpha.cos());
-        let exponent = (self.c2 * alpha).squared().min(T::lit(1e4));
+    pub fn d2(&self, theta_h: T) -> T {
+        let above = above(theta_h, theta_h.cos());
+        let exponent = (self.c2 * theta_h).squared().min(T::lit(1e4));
         ((-exponent).exp()).only_where(above)
     }
 
     /// Trowbridge and Reitz's ellipsoids.
     #[inline(always)]
     #[must_use]
-    pub fn d3(&self, alpha: T) -> T {
-        let (sin, cos) = alpha.sin_cos();
-        // cos²α (c₃² − 1) + 1 without the difference.
+    pub fn d3(&self, theta_h: T) -> T {
+        let (sin, cos) = theta_h.sin_cos();
+        // cos²θ_h (c₃² − 1) + 1 without the difference.
         let sum = sin.squared() + self.c3_squared * cos.squared();
-        ((self.c3_squared / sum).squared()).only_where(above(alpha, cos))
+        ((self.c3_squared / sum).squared()).only_where(above(theta_h, cos))
     }
 }
 
 /// Where an angle is below π/2, exactly, and not a turn beyond.
 #[inline(always)]
-fn above<T: Real>(alpha: T, cos: T) -> T::Mask {
-    cos.gt(T::zero()).and(alpha.abs().lt(T::lit(2.0)))
+fn above<T: Real>(theta_h: T, cos: T) -> T::Mask {
+    cos.gt(T::zero()).and(theta_h.abs().lt(T::lit(2.0)))
 }

@@ -10,25 +10,25 @@ use crate::sampling::uniform;
 /// Sparrow took it.
 ///
 /// ```text
-/// D = c exp(−(α/m)²),  1/c = π ∫₀^{π/2} exp(−α²/m²) sin 2α dα
+/// D = c exp(−(θ_h/α)²),  1/c = π ∫₀^{π/2} exp(−θ_h²/α²) sin 2θ_h dθ_h
 /// ```
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
-/// | α | | angle between h and the normal, radians | 0 … π/2 |
-/// | m | `roughness` | angle at which D has fallen to 1/e, radians | 10⁻⁸ … 10⁴ |
+/// | θ_h | | angle between h and the normal, radians | 0 … π/2 |
+/// | α | `roughness` | angle at which D has fallen to 1/e, radians | 10⁻⁸ … 10⁴ |
 ///
-/// Normalised, ∫ D cosα dω = 1: c is computed, with a relative error below 10⁻¹⁴ in `f64`. For
-/// small m it is (1 + 2m²/3)/(π m²), for large m it tends to 1/π, the constant D. The papers leave
+/// Normalised, ∫ D cosθ_h dω = 1: c is computed, with a relative error below 10⁻¹⁴ in `f64`. For
+/// small α it is (1 + 2α²/3)/(π α²), for large α it tends to 1/π, the constant D. The papers leave
 /// c to be chosen. Not shape invariant: there is no closed form of Smith's shadowing.
 ///
-/// A normal is drawn by inverting the distribution function of α², four steps of Newton's method on
+/// A normal is drawn by inverting the distribution function of θ_h², four steps of Newton's method on
 /// a closed form. What is left is an error of the distribution function below
 /// 10⁻¹³ in `f64` and 2·10⁻⁶ in `f32`.
 ///
 /// K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces",
 /// JOSA 57(9), 1967, [doi:10.1364/JOSA.57.001105](https://doi.org/10.1364/JOSA.57.001105), with
-/// b exp(−c²α²), α in degrees, c = 0.05, that is m = 20° = 0.349.
+/// b exp(−c²θ_h²), θ_h in degrees, c = 0.05, that is α = 20° = 0.349.
 ///
 /// ```
 /// use brdf::{Distribution, Gaussian};
@@ -41,7 +41,7 @@ use crate::sampling::uniform;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gaussian<T = f32> {
     roughness: T,
-    /// 1/m².
+    /// 1/α².
     steepness: T,
     peak: T,
     tilts: Tilts<T>,
@@ -77,7 +77,7 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
         let zero = T::zero();
         let above = h.z().gt(zero);
         let (one, cos) = (T::one(), T::select(above, h.z(), T::one()));
-        // 1 − cosα with all digits: from sin² near the normal, and near the horizon from the cosine
+        // 1 − cosθ_h with all digits: from sin² near the normal, and near the horizon from the cosine
         // alone, which the rounding of the length of h does not reach there.
         let from_sine = (h.x().squared() + h.y().squared()) / (one + cos);
         let versine = T::select(cos.lt(T::lit(0.5)), one - cos, from_sine);

@@ -24,9 +24,9 @@ const SINE: [f64; RECURSION] = {
     coefficients
 };
 
-/// The part of the facets that are tilted by less, and by more, than an angle α.
+/// The part of the facets that are tilted by less, and by more, than an angle θ_h.
 ///
-/// With s = (α/(π/2))² and κ = (π/2)²/m² the parts are integrals of exp(−κs) sin(π√s)/(π√s), an
+/// With s = (θ_h/(π/2))² and κ = (π/2)²/α² the parts are integrals of exp(−κs) sin(π√s)/(π√s), an
 /// exponential times an entire function. The integral of such a product is of the same kind,
 ///
 /// ```text
@@ -67,7 +67,7 @@ lift! {
 }
 
 impl<T: Real> Tilts<T> {
-    /// For a given (π/2)/m. Also the integral over 0 … 1 before it is scaled to 1.
+    /// For a given (π/2)/α. Also the integral over 0 … 1 before it is scaled to 1.
     pub(super) fn new(root: T) -> (Self, T) {
         let (zero, one) = (T::zero(), T::one());
         let exponent = root.squared();
@@ -113,7 +113,7 @@ impl<T: Real> Tilts<T> {
         (Self { exponent, narrow: kept, front, polynomial, beyond, density: scale }, all)
     }
 
-    /// The part tilted by less, or, if not `below`, by more than the angle with t = α²/m² = κs.
+    /// The part tilted by less, or, if not `below`, by more than the angle with t = θ_h²/α² = κs.
     #[inline(always)]
     fn part(&self, t: T, below: T::Mask) -> T {
         let s = t / self.exponent;
@@ -125,9 +125,9 @@ impl<T: Real> Tilts<T> {
         T::select(below, less, more)
     }
 
-    /// The angle, as a multiple of m, up to which the part `u` of the facets lies.
+    /// The angle, as a multiple of α, up to which the part `u` of the facets lies.
     ///
-    /// The unknown is t = α²/m², whose density exp(−t) sin(2α)/(2α) is nearly exponential. The
+    /// The unknown is t = θ_h²/α², whose density exp(−t) sin(2θ_h)/(2θ_h) is nearly exponential. The
     /// smaller of the two parts is followed, so that each end keeps its digits. Above the median
     /// Newton's method needs a straight line: the logarithm of the part for narrow distributions,
     /// the square root for wide ones, which end at π/2 in a parabola.
@@ -141,7 +141,7 @@ impl<T: Real> Tilts<T> {
         let narrow = exponent.gt(T::lit(27.0));
         let part = T::select(lower_half, u, one - u).max(tiny);
 
-        // An exponential cut off at the last angle. Its rate takes in the fall of sin(2α)/(2α).
+        // An exponential cut off at the last angle. Its rate takes in the fall of sin(2θ_h)/(2θ_h).
         let rate = one + T::lit(0.9 * FRAC_PI_2 * FRAC_PI_2) / exponent;
         let inside = -(-rate * last).exp_m1();
         let first = -(-part * inside).ln_1p();
@@ -192,7 +192,7 @@ mod tests {
     use super::*;
     use crate::quadrature::integrate;
 
-    /// ∫ exp(−κs) sin(π√s)/(π√s) ds by quadrature over x = α/m, in which it is smooth.
+    /// ∫ exp(−κs) sin(π√s)/(π√s) ds by quadrature over x = θ_h/α, in which it is smooth.
     fn integral(exponent: f64, from: f64, to: f64) -> f64 {
         let root = exponent.sqrt();
         let ends = [from, to].map(|s: f64| (root * s.sqrt()).min(7.0));

@@ -7,17 +7,18 @@ use crate::sampling::uniform;
 /// GGX, the distribution of Trowbridge and Reitz: the facets of an ellipsoid.
 ///
 /// ```text
-/// D = 1 / (π a_x a_y (h_x²/a_x² + h_y²/a_y² + h_z²)²)
-/// Λ = (√(1 + (a_x² w_x² + a_y² w_y²)/w_z²) − 1)/2
+/// D = 1 / (π α_x α_y (h_x²/α_x² + h_y²/α_y² + h_z²)²)
+/// Λ = (√(1 + (α_x² w_x² + α_y² w_y²)/w_z²) − 1)/2
 /// ```
 ///
-/// With equal roughness D = a²/(π ((a² − 1) cos²α + 1)²), α the angle between h and the normal.
+/// With equal roughness α, D = α²/(π ((α² − 1) cos²θ_h + 1)²), where θ_h is the angle between h and the
+/// normal.
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
-/// | a_x, a_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent | 10⁻⁸ … 10⁴ |
+/// | α_x, α_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent | 10⁻⁸ … 10⁴ |
 ///
-/// Normalised, ∫ D cosα dω = 1. The tails are long: the variance of the slopes is infinite.
+/// Normalised, ∫ D cosθ_h dω = 1. The tails are long: the variance of the slopes is infinite.
 /// Roughness 1 makes D = 1/π at all angles; roughness to 0 makes a mirror.
 ///
 /// Visible normals are drawn with spherical caps: in the space stretched to roughness 1, the sum
@@ -34,7 +35,7 @@ use crate::sampling::uniform;
 /// use glam::DVec3;
 ///
 /// let ggx = Ggx::new(0.5_f64)?;
-/// assert!((ggx.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π a²)
+/// assert!((ggx.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π α²)
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -12,7 +12,7 @@ use crate::real::{Real, Vector, lift};
 pub(super) struct Roughness<T> {
     along: [T; 2],
     inverse: [T; 2],
-    /// 1/(π a_x a_y): the density of slopes at slope 0.
+    /// 1/(π α_x α_y): the density of slopes at slope 0.
     peak: T,
 }
 
@@ -48,13 +48,13 @@ impl<T: Real> Roughness<T> {
         self.peak
     }
 
-    /// (h_x/a_x)² + (h_y/a_y)².
+    /// (h_x/α_x)² + (h_y/α_y)².
     #[inline(always)]
     pub(super) fn tilt_squared(&self, h: T::Vec3) -> T {
         (h.x() * self.inverse[0]).squared() + (h.y() * self.inverse[1]).squared()
     }
 
-    /// (a_x w_x)² + (a_y w_y)²: sin²θ times the squared roughness in the plane of `w`.
+    /// (α_x w_x)² + (α_y w_y)²: sin²θ times the squared roughness in the plane of `w`.
     #[inline(always)]
     pub(super) fn spread_squared(&self, w: T::Vec3) -> T {
         (w.x() * self.along[0]).squared() + (w.y() * self.along[1]).squared()

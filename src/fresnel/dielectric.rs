@@ -111,9 +111,9 @@ struct Interface<T: Real> {
     difference: T,
     /// (c + q)².
     sum_squared: T,
-    /// c q, which is η cosα cosβ.
+    /// c q, which is η cosθ₁ cosθ₂.
     cosines: T,
-    /// s², which is η sinα sinβ.
+    /// s², which is η sinθ₁ sinθ₂.
     sines: T,
     /// Where the reflection is total.
     total: T::Mask,

@@ -14,7 +14,7 @@ use crate::real::{Lift, Real, lift};
 ///
 /// | symbol | part | meaning |
 /// |---|---|---|
-/// | D | `distribution` | density of the facets' normals, normalised to ∫ D cosα dω = 1 |
+/// | D | `distribution` | density of the facets' normals, normalised to ∫ D cosθ_h dω = 1 |
 /// | F | `fresnel` | reflectance of a facet |
 /// | G | `shadowing` | fraction of facets that light and viewer both see: [`VCavity`] if nothing else is said, [`SmithCorrelated`](crate::SmithCorrelated), [`SmithSeparable`](crate::SmithSeparable) |
 ///
@@ -29,8 +29,8 @@ use crate::real::{Lift, Real, lift};
 /// F G/G₁(V), never above F.
 ///
 /// # The constants of the literature
-/// The form F D G/(π (N·L)(N·V)) with D = exp(−tan²α/m²)/(4 m² cos⁴α) is the same as this one with
-/// the normalised [`Beckmann`](crate::Beckmann), D = exp(−tan²α/m²)/(π m² cos⁴α): the 4 and the π
+/// The form F D G/(π (N·L)(N·V)) with D = exp(−tan²θ_h/α²)/(4 α² cos⁴θ_h) is the same as this one with
+/// the normalised [`Beckmann`](crate::Beckmann), D = exp(−tan²θ_h/α²)/(π α² cos⁴θ_h): the 4 and the π
 /// change places. Cook and Torrance print D without the 4, which makes their surface four times
 /// too bright: [`CookTorrance1982Printed`](crate::CookTorrance1982Printed). It is a BRDF, although
 /// it is often called an intensity.

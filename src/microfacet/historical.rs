@@ -11,7 +11,7 @@ use crate::fresnel::Fresnel;
 use crate::real::{Real, Vector};
 
 impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
-    /// The model of Torrance and Sparrow: D = b exp(−c²α²) with the tilt α in degrees, and V-cavity
+    /// The model of Torrance and Sparrow: D = b exp(−c²θ_h²) with the tilt θ_h in degrees, and V-cavity
     /// shadowing.
     ///
     /// `c` in 1/degree is π/180 over the roughness of [`Gaussian`] in radians; b is the constant
@@ -42,11 +42,11 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
 /// The model with the constants that Cook and Torrance printed: four times too bright.
 ///
 /// ```text
-/// f = F/π · D G/((N·L)(N·V)),  D = exp(−tan²α/m²)/(m² cos⁴α)
+/// f = F/π · D G/((N·L)(N·V)),  D = exp(−tan²θ_h/α²)/(α² cos⁴θ_h)
 /// ```
 ///
 /// D is π times the normalised [`Beckmann`], F/π takes the π away again, and the 4 of
-/// [`CookTorrance`] is missing; m is the roughness of [`Beckmann`]. To compare with pictures and
+/// [`CookTorrance`] is missing; α is the roughness of [`Beckmann`]. To compare with pictures and
 /// codes made with these constants.
 ///
 /// Reciprocal. Not conserving: with F = 1 the albedo is 4 at normal incidence (measured 4.000 at

@@ -200,8 +200,8 @@ pub trait Real:
     /// x/(x + `rest`) are normal numbers and x + `rest` is at most 10³⁸. Elsewhere the answer has no
     /// meaning.
     ///
-    /// The power of a number close to 1 of which it is known what is missing there: cosⁿα of
-    /// cos²α and sin²α. It keeps the digits of both, and needs no root and no quotient of them. Its
+    /// The power of a number close to 1 of which it is known what is missing there: cosⁿθ of
+    /// cos²θ and sin²θ. It keeps the digits of both, and needs no root and no quotient of them. Its
     /// relative error is at most ε(4½ |ln y| + 1) for a result y < 1/e, 5½ ε above, with ε = 2⁻²³ in
     /// `f32`, 2⁻⁵² in `f64`.
     ///

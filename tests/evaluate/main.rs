@@ -20,7 +20,7 @@ use serde_json::Value;
 use question::Precision;
 use stream::{MAX_LINE, Tally};
 
-const README: &str = include_str!("../../README.md");
+const PAGE: &str = include_str!("../../docs/evaluate.md");
 const QUESTIONS: &str = include_str!("../../examples/evaluate/questions.jsonl");
 
 fn ask_all(questions: &[u8], precision: Precision) -> (Vec<Value>, Tally) {
@@ -89,10 +89,10 @@ fn the_questions_of_the_example_have_answers() {
     }
 }
 
-/// What the readme shows is asked in the file, but for the mistake, and answered so.
+/// What the page shows is asked in the file, but for the mistake, and answered so.
 #[test]
-fn the_readme_shows_questions_with_their_answers() {
-    let lines: Vec<&str> = README.lines().collect();
+fn the_page_shows_questions_with_their_answers() {
+    let lines: Vec<&str> = PAGE.lines().collect();
     let shown = lines.windows(2).filter_map(|pair| Some((pair[0], pair[1].strip_prefix("  {")?)));
     let (mut kinds, mut mistakes) = (BTreeSet::new(), 0);
     for (question, answer) in shown {
@@ -105,7 +105,7 @@ fn the_readme_shows_questions_with_their_answers() {
         mistakes += status;
     }
     assert_eq!((kinds.len(), mistakes), (5, 1));
-    assert!(README.contains(&format!("Some of the {} questions", QUESTIONS.lines().count())));
+    assert!(PAGE.contains(&format!("Some of the {} questions", QUESTIONS.lines().count())));
 }
 
 /// All forms of description occur in the file.

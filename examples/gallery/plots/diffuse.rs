@@ -64,7 +64,7 @@ pub(super) fn full_moon() -> Result<Figure, Box<dyn Error>> {
         title: "The disc of a full moon: Oren–Nayar against Lambert".into(),
         caption:
             "Left: radiance across a sphere. σ = 0 is Lambert exactly; roughness flattens the disc, \
-            as the moon's is flat. Right: A and B of f = ρ/π (A + B max(0, cosΔφ) sinα tanβ)."
+            as the moon's is flat. Right: A and B of f = ρ/π (A + B max(0, cosΔφ) sinθ₁ tanθ₂)."
                 .into(),
         height: 420.0,
         columns: 1,

@@ -80,7 +80,7 @@ pub(super) fn not_conserving() -> Result<Figure, Box<dyn Error>> {
     let white = || Constant::new(1.0);
     let printed: [(&str, Model); 5] = [
         (
-            "Cook–Torrance as printed, m = 0.1",
+            "Cook–Torrance as printed, α = 0.1",
             Box::new(CookTorrance1982Printed::new(Beckmann::new(0.1)?, white()?)),
         ),
         (

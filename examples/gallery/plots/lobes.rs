@@ -138,9 +138,9 @@ fn three_distributions(light: f64) -> Result<Vec<Lit>, Box<dyn Error>> {
     }
     let m = 0.3;
     Ok(vec![
-        (format!("Gaussian, m = {m}"), mirrors(Gaussian::new(m)?)?, light, PENS[0]),
-        (format!("Beckmann, m = {m}"), mirrors(Beckmann::new(m)?)?, light, PENS[1]),
-        (format!("GGX, m = {m}"), mirrors(Ggx::new(m)?)?, light, PENS[2]),
+        (format!("Gaussian, α = {m}"), mirrors(Gaussian::new(m)?)?, light, PENS[0]),
+        (format!("Beckmann, α = {m}"), mirrors(Beckmann::new(m)?)?, light, PENS[1]),
+        (format!("GGX, α = {m}"), mirrors(Ggx::new(m)?)?, light, PENS[2]),
     ])
 }
 
@@ -195,12 +195,12 @@ pub(super) fn off_specular() -> Result<Figure, Box<dyn Error>> {
         section: SECTION,
         title: "Off-specular peaks of a rough surface".into(),
         caption: format!(
-            "Cook–Torrance, Beckmann m = 0.4, F = 1; each lobe over its largest value. The peak lies \
+            "Cook–Torrance, Beckmann α = 0.4, F = 1; each lobe over its largest value. The peak lies \
              beyond the mirror direction, as Torrance and Sparrow explained: {}.",
             peaks.join(", ")
         ),
         height: 430.0,
         columns: 4,
-        panels: vec![panel("Beckmann, m = 0.4", &models, Radius::Own)],
+        panels: vec![panel("Beckmann, α = 0.4", &models, Radius::Own)],
     })
 }

@@ -9,7 +9,7 @@ use super::figure::{Curve, Figure, Panel};
 use super::style::PENS;
 
 const SECTION: &str = "Microfacets";
-const TILT: &str = "tilt of the facet α / °";
+const TILT: &str = "tilt of the facet θ_h / °";
 const DENSITY: &str = "D / sr⁻¹";
 const RIGHT_ANGLE: (f64, f64) = (0.0, 90.0);
 
@@ -45,11 +45,11 @@ fn two_scales(list: &[(String, Box<dyn Distribution<f64>>)], linear: Axis, top: 
 pub(super) fn distributions() -> Result<Figure, Box<dyn Error>> {
     let m = 0.3;
     let list: Vec<(String, Box<dyn Distribution<f64>>)> = vec![
-        (format!("Gaussian, m = {m}"), Box::new(Gaussian::new(m)?)),
-        (format!("Beckmann, m = {m}"), Box::new(Beckmann::new(m)?)),
-        (format!("GGX, m = {m}"), Box::new(Ggx::new(m)?)),
+        (format!("Gaussian, α = {m}"), Box::new(Gaussian::new(m)?)),
+        (format!("Beckmann, α = {m}"), Box::new(Beckmann::new(m)?)),
+        (format!("GGX, α = {m}"), Box::new(Ggx::new(m)?)),
         (
-            format!("Blinn, n = 2/m² − 2 = {:.1}", Blinn::from_roughness(m)?.exponent()),
+            format!("Blinn, n = 2/α² − 2 = {:.1}", Blinn::from_roughness(m)?.exponent()),
             Box::new(Blinn::from_roughness(m)?),
         ),
     ];
@@ -57,7 +57,7 @@ pub(super) fn distributions() -> Result<Figure, Box<dyn Error>> {
         name: "distributions",
         section: SECTION,
         title: "Four distributions of facet normals".into(),
-        caption: "All are normalised to ∫ D cosα dω = 1. Beckmann, Blinn and the Gaussian differ \
+        caption: "All are normalised to ∫ D cosθ_h dω = 1. Beckmann, Blinn and the Gaussian differ \
             little around the peak; GGX falls sooner from a peak of the same height, and its tail is \
             higher by orders of magnitude."
             .into(),
@@ -70,14 +70,14 @@ pub(super) fn distributions() -> Result<Figure, Box<dyn Error>> {
 pub(super) fn roughness() -> Result<Figure, Box<dyn Error>> {
     let mut list: Vec<(String, Box<dyn Distribution<f64>>)> = Vec::new();
     for m in [0.1, 0.2, 0.4, 0.8] {
-        list.push((format!("m = {m}"), Box::new(Beckmann::new(m)?)));
+        list.push((format!("α = {m}"), Box::new(Beckmann::new(m)?)));
     }
     Ok(Figure {
         name: "roughness",
         section: SECTION,
         title: "Beckmann's distribution from smooth to rough".into(),
-        caption: "The peak is 1/(π m²) at the normal; above m = 1/√2 the maximum moves off the \
-            normal, to cos²α = 1/(2m²)."
+        caption: "The peak is 1/(π α²) at the normal; above α = 1/√2 the maximum moves off the \
+            normal, to cos²θ_h = 1/(2α²)."
             .into(),
         height: 420.0,
         columns: 4,

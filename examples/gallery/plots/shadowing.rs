@@ -84,7 +84,7 @@ pub(super) fn mirror() -> Result<Figure, Box<dyn Error>> {
         let mut curves = Vec::new();
         for (kind, dash, term) in smith {
             for ((m, distribution), color) in distributions.iter().zip([BLUE, VERMILION, GREEN]) {
-                let label = format!("Smith {kind}, m = {m}");
+                let label = format!("Smith {kind}, α = {m}");
                 curves.push(over(label, Pen { color, dash }, term, distribution));
             }
         }

@@ -29,7 +29,7 @@ pub(super) fn scenes<'a>(
 ) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
     let light = Light::Around(square);
     let measured = "Exact equations with n and k measured by Johnson and Christy, interpolated at \
-                    650, 550 and 450 nm for red, green and blue; m = 0.2.";
+                    650, 550 and 450 nm for red, green and blue; α = 0.2.";
     let copper: Conductor = metal::copper()?;
     let f0 = copper.reflectance(1.0);
     let glass = Dielectric::new(Vec3::splat(1.5))?;
@@ -44,18 +44,18 @@ pub(super) fn scenes<'a>(
             [
                 "Dielectric",
                 "Exact equations for the index 1.5: four hundredths at the centre, everything at \
-                 the edge. Surface reflection only, as on black glass; m = 0.2.",
+                 the edge. Surface reflection only, as on black glass; α = 0.2.",
             ],
             facets(glass)?,
         ),
         one(
             "fresnel-schlick",
-            ["Schlick", "The polynomial with F₀ = 0.04 in place of the index 1.5; m = 0.2."],
+            ["Schlick", "The polynomial with F₀ = 0.04 in place of the index 1.5; α = 0.2."],
             facets(Schlick::new(Vec3::splat(0.04))?)?,
         ),
         one(
             "fresnel-hall",
-            ["Hall", "From copper's F₀ to white along the curve of the index 1.5; m = 0.2."],
+            ["Hall", "From copper's F₀ to white along the curve of the index 1.5; α = 0.2."],
             facets(Hall::new(f0, 1.5)?)?,
         ),
         one(
@@ -63,13 +63,13 @@ pub(super) fn scenes<'a>(
             [
                 "Cook",
                 "The colour of reflected light: the same under light of colour 1, 0.85, 0.6, to \
-                 which the edge tends; m = 0.2.",
+                 which the edge tends; α = 0.2.",
             ],
             facets(Cook::new(f0, warm, 1.5)?)?,
         ),
         one(
             "fresnel-constant",
-            ["Constant", "Copper's F₀ at all angles: no whitening at the edge; m = 0.2."],
+            ["Constant", "Copper's F₀ at all angles: no whitening at the edge; α = 0.2."],
             facets(Constant::new(f0)?)?,
         ),
         row(
@@ -78,7 +78,7 @@ pub(super) fn scenes<'a>(
             [
                 "Copper four ways",
                 "In a white furnace, radiance 1 from everywhere: all have the F₀ of the measured indices \
-                 and differ in how the colour turns white towards the edge. m = 0.05.",
+                 and differ in how the colour turns white towards the edge. α = 0.05.",
             ],
             vec![
                 ("Conductor".into(), polished(copper)?),
@@ -91,7 +91,7 @@ pub(super) fn scenes<'a>(
         series(
             SECTION,
             "fresnel-index-series",
-            ["Index of refraction", "Exact dielectric, surface reflection only; m = 0.2."],
+            ["Index of refraction", "Exact dielectric, surface reflection only; α = 0.2."],
             ("n", [1.1, 1.33, 1.5, 2.0, 2.42]),
             |index| facets(Dielectric::new(Vec3::splat(index))?),
             light,

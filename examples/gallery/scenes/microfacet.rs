@@ -44,7 +44,7 @@ type Constructor = fn(f32) -> Result<Material, Box<dyn Error>>;
 
 fn distributions(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
     let models: [(&str, &str, &str, Constructor); 5] = [
-        ("gaussian", "Gaussian", "Normal distribution of the angle; m is its 1/e-angle.", |m| {
+        ("gaussian", "Gaussian", "Normal distribution of the angle; α is its 1/e-angle.", |m| {
             Ok(metal(Gaussian::new(m)?, metal::gold()?))
         }),
         ("beckmann", "Beckmann", "Normal distribution of the slope.", |m| {
@@ -59,19 +59,19 @@ fn distributions(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
         (
             "blinn",
             "Blinn",
-            "A power of the cosine, with the exponent 2/m² − 2 that peaks as high as Beckmann's.",
+            "A power of the cosine, with the exponent 2/α² − 2 that peaks as high as Beckmann's.",
             |m| Ok(metal(Blinn::from_roughness(m)?, metal::gold()?)),
         ),
         (
             "mixture",
             "Mixture",
-            "0.6 Beckmann of roughness m + 0.4 of 4m: a sharp reflection in a haze.",
+            "0.6 Beckmann of roughness α + 0.4 of 4α: a sharp reflection in a haze.",
             |m| Ok(metal(mixture(m)?, metal::gold()?)),
         ),
     ];
     let mut scenes = Vec::new();
     for (name, title, caption, model) in models {
-        let (file, heading) = (format!("distribution-{name}"), format!("{title}, m = 0.2"));
+        let (file, heading) = (format!("distribution-{name}"), format!("{title}, α = 0.2"));
         scenes.push(single(DISTRIBUTIONS, &file, [&heading, caption], model(0.2)?, light));
     }
     for (name, title, _, model) in models {
@@ -105,7 +105,7 @@ fn shadowing<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>,
     let smooth = CookTorrance::new(Beckmann::new(0.3)?, metal::silver()?);
     let rough = CookTorrance::new(Ggx::new(0.8)?, white);
     let one = |name: &str, title: &str, sphere| {
-        let words = [title, "Silver, Beckmann's distribution, m = 0.3."];
+        let words = [title, "Silver, Beckmann's distribution, α = 0.3."];
         single(SHADOWING, name, words, sphere, light)
     };
     Ok(vec![
@@ -125,7 +125,7 @@ fn shadowing<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>,
             "shadowing-furnace",
             [
                 "A rough mirror in a white furnace",
-                "GGX, m = 0.8, F = 1, radiance 1 from everywhere: the picture is the directional \
+                "GGX, α = 0.8, F = 1, radiance 1 from everywhere: the picture is the directional \
                  albedo. A surface that lost nothing would look like the white at the left; what \
                  is missing is light that would be reflected more than once.",
             ],
@@ -161,7 +161,7 @@ fn history<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>, B
             "torrance-sparrow",
             [
                 "Torrance–Sparrow 1967",
-                "Ground glass: c = 0.05 per degree, which is a Gaussian of m = 20°; index 1.5, \
+                "Ground glass: c = 0.05 per degree, which is a Gaussian of α = 20°; index 1.5, \
                  surface reflection only.",
             ],
             material(frosted),
@@ -172,7 +172,7 @@ fn history<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>, B
             "cook-torrance-1982",
             [
                 "Cook–Torrance: right and as printed in 1982",
-                "Copper, m = 0.4. The printed constants make the surface four times too bright: it \
+                "Copper, α = 0.4. The printed constants make the surface four times too bright: it \
                  reflects more light than it receives.",
             ],
             vec![

@@ -95,4 +95,4 @@ fn series<'a, const N: usize>(
 }
 
 /// The roughnesses of a series.
-const ROUGHNESSES: (&str, [f32; 5]) = ("m", [0.05, 0.1, 0.2, 0.4, 0.8]);
+const ROUGHNESSES: (&str, [f32; 5]) = ("α", [0.05, 0.1, 0.2, 0.4, 0.8]);

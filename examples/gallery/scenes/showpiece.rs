@@ -35,11 +35,11 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
              Christy, interpolated at 650, 550 and 450 nm for red, green and blue.",
         ],
         vec![
-            ("gold, m = 0.25".into(), metal(metal::gold()?, 0.25)?),
-            ("copper, m = 0.35".into(), metal(metal::copper()?, 0.35)?),
-            ("plastic: Lambert + Cook–Torrance, m = 0.1".into(), plastic(red, 0.1)?),
+            ("gold, α = 0.25".into(), metal(metal::gold()?, 0.25)?),
+            ("copper, α = 0.35".into(), metal(metal::copper()?, 0.35)?),
+            ("plastic: Lambert + Cook–Torrance, α = 0.1".into(), plastic(red, 0.1)?),
             ("clay: Oren–Nayar, σ = 0.5".into(), material(OrenNayar::new(clay, 0.5)?)),
-            ("silver, m = 0.15".into(), metal(metal::silver()?, 0.15)?),
+            ("silver, α = 0.15".into(), metal(metal::silver()?, 0.15)?),
         ],
         light,
     );
@@ -52,7 +52,7 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
         single(
             SECTION,
             "sum-plastic",
-            ["Weighted sum: plastic", "0.9 Lambert + a clear coat of index 1.5, m = 0.1."],
+            ["Weighted sum: plastic", "0.9 Lambert + a clear coat of index 1.5, α = 0.1."],
             plastic(red, 0.1)?,
             light,
         ),

@@ -77,7 +77,7 @@ pub(in crate::real) fn atan2(y: f64, x: f64) -> f64 {
     // So that the sum below cannot overflow.
     let scale = if larger > 1e300 { 0.25 } else { 1.0 };
     let (smaller, larger) = (smaller * scale, larger * scale);
-    // Near the diagonal the angle counts from there: (a − b)/(a + b) = tan(α − π/4).
+    // Near the diagonal the angle counts from there: (a − b)/(a + b) = tan(θ − π/4).
     let diagonal = smaller > 0.5 * larger;
     let numerator = if diagonal { smaller - larger } else { smaller };
     let denominator = if diagonal { smaller + larger } else { larger };
