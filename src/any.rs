@@ -61,27 +61,15 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
     type Color = C;
 
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        match self {
-            // Nothing but choices and calls.
-            Self::CookTorrance(model) => model.eval(wi, wo),
-            _ => each!(self, model => eval(model, wi, wo)),
-        }
+        each!(self, model => eval(model, wi, wo))
     }
 
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        match self {
-            // Nothing but choices and calls.
-            Self::CookTorrance(model) => model.pdf(wi, wo),
-            _ => each!(self, model => pdf(model, wi, wo)),
-        }
+        each!(self, model => pdf(model, wi, wo))
     }
 
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        match self {
-            // Nothing but choices and calls.
-            Self::CookTorrance(model) => model.sample(wo, u),
-            _ => each!(self, model => sample(model, wo, u)),
-        }
+        each!(self, model => sample(model, wo, u))
     }
 
     fn albedo(&self, wo: T::Vec3) -> C {

@@ -27,7 +27,7 @@ pub enum DirectionBuffer<'a, T: Real = f32> {
 /// clay.eval_batch(
 ///     Vec3::Z.into(),
 ///     Vec3::Z.into(),
-///     ColorBuffer::Planes([&mut red, &mut green, &mut blue]),
+///     ColorBuffer::from([&mut red, &mut green, &mut blue]),
 /// )?;
 /// assert!((green[1] - 0.5 / std::f32::consts::PI).abs() < 1e-7);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

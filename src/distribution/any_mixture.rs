@@ -27,7 +27,7 @@ use crate::sampling::uniform;
 ///     (0.4, Beckmann::new(0.2_f64)?.into()),
 ///     (0.6, Gaussian::new(0.5)?.into()),
 /// ])?;
-/// assert!((rough.density(DVec3::Z) - 4.0830472717).abs() < 1e-10);
+/// assert!((rough.density(DVec3::Z) - 4.0830472729).abs() < 1e-10);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]

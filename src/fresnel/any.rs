@@ -5,7 +5,7 @@ use super::interpolation::{Cook, Hall};
 use super::schlick::Schlick;
 use super::term::Fresnel;
 use crate::block::{ColorBlock, InstructionSet, Plane};
-use crate::real::{Color, Real, members};
+use crate::real::{Color, Real, call, members};
 
 members! {
     ($) each
@@ -54,6 +54,16 @@ impl<T: Real, C: Color<T>> Fresnel<T> for AnyFresnel<T, C> {
     #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         each!(self, term => term.reflectance(cos_theta))
+    }
+
+    #[inline]
+    fn reflected(&self, cos: T, scale: T) -> C {
+        match self {
+            // Shorter than a call.
+            Self::Constant(term) => term.reflected(cos, scale),
+            Self::Schlick(term) => term.reflected(cos, scale),
+            _ => each!(self, term => call(|| term.reflected(cos, scale))),
+        }
     }
 
     fn average(&self) -> C {

@@ -24,4 +24,3 @@ pub use normal_incidence::{index_from_normal_incidence, normal_incidence};
 pub use polarized::Polarized;
 pub use schlick::Schlick;
 pub use term::Fresnel;
-pub(crate) use term::reflected;

@@ -69,7 +69,21 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         );
     }
 
-    /// [`reflected`] for a block of facets.
+    /// The reflectance times all else that a facet's reflection consists of. A Fresnel term that
+    /// contains the light exceeds 1.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn reflected(&self, cos: T, scale: T) -> Self::Color {
+        in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let value = self.reflectance(cos) * scale;
+                value.map(|value| value.min(T::max_finite()))
+            },
+        )
+    }
+
+    /// [`reflected`](Self::reflected) for a block of facets.
     #[doc(hidden)]
     #[inline(never)]
     fn reflected_block(
@@ -87,7 +101,7 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
                     values,
                     &mut [],
                     #[inline(always)]
-                    |index| (reflected(self, cos[index], scale[index]), []),
+                    |index| (self.reflected(cos[index], scale[index]), []),
                 );
             },
         );
@@ -110,23 +124,6 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     }
 }
 
-/// The reflectance times all else that a facet's reflection consists of. A Fresnel term that
-/// contains the light exceeds 1.
-#[inline(always)]
-pub(crate) fn reflected<T: Real, F: Fresnel<T> + ?Sized>(
-    fresnel: &F,
-    cos: T,
-    scale: T,
-) -> F::Color {
-    in_place::<T, _>(
-        #[inline(always)]
-        || {
-            let value = fresnel.reflectance(cos) * scale;
-            value.map(|value| value.min(T::max_finite()))
-        },
-    )
-}
-
 macro_rules! forward {
     ($pointer:ty) => {
         impl<T: Real, F: Fresnel<T> + ?Sized> Fresnel<T> for $pointer {
@@ -146,6 +143,10 @@ macro_rules! forward {
                 values: &mut ColorBlock<T, F::Color>,
             ) {
                 (**self).reflectance_block(set, cos_theta, values);
+            }
+            #[inline(always)]
+            fn reflected(&self, cos: T, scale: T) -> F::Color {
+                (**self).reflected(cos, scale)
             }
             fn reflected_block(
                 &self,

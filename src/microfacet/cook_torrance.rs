@@ -3,7 +3,7 @@ use super::v_cavity::VCavity;
 use crate::block::{BLOCK, ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::distribution::Distribution;
-use crate::fresnel::{Fresnel, reflected};
+use crate::fresnel::Fresnel;
 use crate::real::{Lift, Real, lift};
 
 /// The microfacet model: a surface of small mirrors.
@@ -126,7 +126,7 @@ where
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> F::Color {
         let Mirrored { cos, scale } = self.shadowing.mirrored(&self.distribution, wi, wo);
-        reflected(&self.fresnel, cos, scale)
+        self.fresnel.reflected(cos, scale)
     }
 
     #[inline(always)]
@@ -139,7 +139,7 @@ where
         let (distribution, shadowing) = (&self.distribution, &self.shadowing);
         let h = shadowing.sample_visible(distribution, wo, u);
         let Draw { wi, pdf, weight } = shadowing.mirror(distribution, wo, h);
-        Sample { wi, weight: reflected(&self.fresnel, weight.cos, weight.scale), pdf }
+        Sample { wi, weight: self.fresnel.reflected(weight.cos, weight.scale), pdf }
     }
 
     // In stages, each a loop of its own. A stage is compiled once for each pair of distribution and
