@@ -1,6 +1,6 @@
 //! Any model of the crate, as one type.
 
-use crate::block::{ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock};
+use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::AnyDistribution;
@@ -76,34 +76,16 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
         each!(self, model => model.albedo(wo))
     }
 
-    fn eval_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        values: &mut ColorBlock<T, C>,
-    ) {
-        each!(self, model => model.eval_block(set, wi, wo, values));
+    fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, C>) {
+        each!(self, model => model.eval_block(pairs, values));
     }
 
-    fn pdf_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        pdf: &mut Plane<T>,
-    ) {
-        each!(self, model => model.pdf_block(set, wi, wo, pdf));
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
+        each!(self, model => model.pdf_block(pairs, pdf));
     }
 
-    fn sample_block(
-        &self,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
-        samples: &mut SampleBlock<T, C>,
-    ) {
-        each!(self, model => model.sample_block(set, wo, u, samples));
+    fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, C>) {
+        each!(self, model => model.sample_block(draws, samples));
     }
 }
 

@@ -4,8 +4,8 @@ use alloc::boxed::Box;
 use core::array;
 
 use crate::block::{
-    BatchError, ColorBlock, ColorBuffer, DirectionBlock, Directions, Draws, InstructionSet,
-    Numbers, Pairs, Plane, SampleBlock, SampleBuffer, Uniforms, fill, run, within,
+    BatchError, ColorBlock, ColorBuffer, Directions, DrawBlock, Draws, Numbers, PairBlock, Pairs,
+    Plane, SampleBlock, SampleBuffer, Uniforms, run,
 };
 use crate::quadrature::mean_over_square;
 use crate::real::{Color, Real, Vector};
@@ -61,67 +61,29 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// By default a loop over `eval`, compiled for the instruction set, which is fast if all that
     /// `eval` calls is always inlined. A model that can do a whole block better, because it chooses
     /// between formulas or consists of other models, overrides it with the same answers.
-    fn eval_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        values: &mut ColorBlock<T, Self::Color>,
-    ) {
-        within::<T, _>(
-            set,
+    fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, Self::Color>) {
+        pairs.colors(
+            values,
             #[inline(always)]
-            || {
-                Self::Color::fill(
-                    values,
-                    &mut [],
-                    #[inline(always)]
-                    |index| (self.eval(wi.at(index), wo.at(index)), []),
-                );
-            },
+            |index| self.eval(pairs.wi(index), pairs.wo(index)),
         );
     }
 
     /// [`pdf`](Self::pdf) for a block of pairs, as [`eval_block`](Self::eval_block).
-    fn pdf_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        pdf: &mut Plane<T>,
-    ) {
-        within::<T, _>(
-            set,
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
+        pairs.numbers(
+            array::from_mut(pdf),
             #[inline(always)]
-            || {
-                fill(
-                    array::from_mut(pdf),
-                    #[inline(always)]
-                    |index| [self.pdf(wi.at(index), wo.at(index))],
-                );
-            },
+            |index| [self.pdf(pairs.wi(index), pairs.wo(index))],
         );
     }
 
     /// [`sample`](Self::sample) for a block of viewers, as [`eval_block`](Self::eval_block).
-    fn sample_block(
-        &self,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
-        samples: &mut SampleBlock<T, Self::Color>,
-    ) {
-        within::<T, _>(
-            set,
+    fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, Self::Color>) {
+        draws.samples(
+            samples,
             #[inline(always)]
-            || {
-                Self::Color::fill(
-                    &mut samples.weight,
-                    &mut samples.wi_pdf,
-                    #[inline(always)]
-                    |index| self.sample(wo.at(index), [u[0][index], u[1][index]]).into_parts(),
-                );
-            },
+            |index| self.sample(draws.wo(index), draws.u(index)),
         );
     }
 
@@ -136,8 +98,8 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         wo: Directions<'_, T>,
         values: ColorBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        run(Pairs { wi, wo }, values, &mut |set, _, [a, b, c, d, e, f], values| {
-            self.eval_block(set, DirectionBlock([a, b, c]), DirectionBlock([d, e, f]), values);
+        run(Pairs { wi, wo }, values, &mut |pairs, _, values| {
+            self.eval_block(pairs, values);
             Ok(())
         })
     }
@@ -153,8 +115,8 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         wo: Directions<'_, T>,
         pdf: &mut [T],
     ) -> Result<(), BatchError> {
-        run(Pairs { wi, wo }, Numbers(pdf, "pdf"), &mut |set, _, [a, b, c, d, e, f], pdf| {
-            self.pdf_block(set, DirectionBlock([a, b, c]), DirectionBlock([d, e, f]), pdf);
+        run(Pairs { wi, wo }, Numbers(pdf, "pdf"), &mut |pairs, _, pdf| {
+            self.pdf_block(pairs, pdf);
             Ok(())
         })
     }
@@ -170,10 +132,35 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         u: Uniforms<'_, T>,
         samples: SampleBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        run(Draws { wo, u }, samples, &mut |set, _, [a, b, c, u0, u1], samples| {
-            self.sample_block(set, DirectionBlock([a, b, c]), [u0, u1], samples);
+        run(Draws { wo, u }, samples, &mut |draws, _, samples| {
+            self.sample_block(draws, samples);
             Ok(())
         })
+    }
+}
+
+impl<T: Real> DrawBlock<'_, T> {
+    /// Fills samples with what a formula answers for the places of the block.
+    #[inline(always)]
+    pub fn samples<C: Color<T>>(
+        &self,
+        samples: &mut SampleBlock<T, C>,
+        formula: impl Fn(usize) -> Sample<T, C>,
+    ) {
+        self.within(
+            #[inline(always)]
+            || {
+                C::fill(
+                    &mut samples.weight,
+                    &mut samples.wi_pdf,
+                    #[inline(always)]
+                    |index| {
+                        let Sample { wi, weight, pdf } = formula(index);
+                        (weight, [wi.x(), wi.y(), wi.z(), pdf])
+                    },
+                );
+            },
+        );
     }
 }
 
@@ -197,13 +184,6 @@ pub struct Sample<T: Real, C> {
 }
 
 impl<T: Real, C: Color<T>> Sample<T, C> {
-    /// The weight, and beside it the direction and the density: see [`Color::fill`].
-    #[inline(always)]
-    pub(crate) fn into_parts(self) -> (C, [T; 4]) {
-        let Self { wi, weight, pdf } = self;
-        (weight, [wi.x(), wi.y(), wi.z(), pdf])
-    }
-
     /// The sample where the mask is true, no direction (weight and pdf zero) elsewhere.
     #[inline(always)]
     #[must_use]
@@ -232,32 +212,18 @@ macro_rules! forward {
             fn albedo(&self, wo: T::Vec3) -> M::Color {
                 (**self).albedo(wo)
             }
-            fn eval_block(
-                &self,
-                set: InstructionSet,
-                wi: DirectionBlock<'_, T>,
-                wo: DirectionBlock<'_, T>,
-                values: &mut ColorBlock<T, M::Color>,
-            ) {
-                (**self).eval_block(set, wi, wo, values);
+            fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, M::Color>) {
+                (**self).eval_block(pairs, values);
             }
-            fn pdf_block(
-                &self,
-                set: InstructionSet,
-                wi: DirectionBlock<'_, T>,
-                wo: DirectionBlock<'_, T>,
-                pdf: &mut Plane<T>,
-            ) {
-                (**self).pdf_block(set, wi, wo, pdf);
+            fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
+                (**self).pdf_block(pairs, pdf);
             }
             fn sample_block(
                 &self,
-                set: InstructionSet,
-                wo: DirectionBlock<'_, T>,
-                u: [&Plane<T>; 2],
+                draws: DrawBlock<'_, T>,
                 samples: &mut SampleBlock<T, M::Color>,
             ) {
-                (**self).sample_block(set, wo, u, samples);
+                (**self).sample_block(draws, samples);
             }
         }
     };

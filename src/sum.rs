@@ -1,7 +1,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use crate::block::{BLOCK, ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock, within};
+use crate::block::{BLOCK, ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
 use crate::real::{Color, Lift, Mask, Real, Vector, lift};
@@ -149,22 +149,16 @@ where
 
     // Block by block, term by term: each term in loops of its own.
 
-    fn eval_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        values: &mut ColorBlock<T, C>,
-    ) {
+    fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, C>) {
         let (mut sum, mut each) = (black::<T, C>(), black::<T, C>());
         for term in &self.terms {
-            term.model.eval_block(set, wi, wo, &mut each);
-            within::<T, _>(
-                set,
+            term.model.eval_block(pairs, &mut each);
+            let weights = term.weight.channels();
+            pairs.within(
                 #[inline(always)]
                 || {
-                    let sum = sum.as_mut().iter_mut().zip(each.as_ref());
-                    for ((sum, each), weight) in sum.zip(term.weight.channels().as_ref()) {
+                    let channels = sum.as_mut().iter_mut().zip(each.as_ref());
+                    for ((sum, each), weight) in channels.zip(weights.as_ref()) {
                         for (sum, each) in sum.iter_mut().zip(each) {
                             *sum = *sum + *weight * *each;
                         }
@@ -177,17 +171,11 @@ where
         }
     }
 
-    fn pdf_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        pdf: &mut Plane<T>,
-    ) {
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
         let mut each = [T::zero(); BLOCK];
         let mut sum = each;
         for term in &self.terms {
-            term.model.pdf_block(set, wi, wo, &mut each);
+            term.model.pdf_block(pairs, &mut each);
             for (sum, pdf) in sum.iter_mut().zip(each) {
                 *sum = *sum + term.probability * pdf;
             }
@@ -195,40 +183,30 @@ where
         *pdf = sum.map(|sum| sum.min(T::max_finite()));
     }
 
-    fn sample_block(
-        &self,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        [u0, u1]: [&Plane<T>; 2],
-        samples: &mut SampleBlock<T, C>,
-    ) {
+    fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, C>) {
         let (mut start, mut kept) = (T::zero(), [Kept::new(); BLOCK]);
+        let [_, _, _, u0, u1] = draws.planes;
         let u0 = u0.map(|u| uniform([u; 2])[0]);
         for term in &self.terms {
             let stretched = u0.map(|u| term.stretched(start, u));
-            term.model.sample_block(set, wo, [&stretched, u1], samples);
+            term.model.sample_block(draws.with([&stretched, u1]), samples);
+            let [x, y, z, pdf] = &samples.wi_pdf;
             for (index, kept) in kept.iter_mut().enumerate() {
-                let (wi, pdf) = (samples.wi().at(index), samples.wi_pdf[3][index]);
-                *kept = kept.or(term.reached(start, u0[index]), wi, pdf);
+                let wi = Vector::new(x[index], y[index], z[index]);
+                *kept = kept.or(term.reached(start, u0[index]), wi, pdf[index]);
             }
             start = start + term.probability;
         }
         let (mut pdf, mut values) = ([T::zero(); BLOCK], black::<T, C>());
         let wi = kept.each_ref().map(|kept| kept.wi);
         let wi = [wi.map(Vector::x), wi.map(Vector::y), wi.map(Vector::z)];
-        self.pdf_block(set, DirectionBlock::new(&wi), wo, &mut pdf);
-        self.eval_block(set, DirectionBlock::new(&wi), wo, &mut values);
-        within::<T, _>(
-            set,
+        let pairs = draws.lit_from(wi.each_ref());
+        self.pdf_block(pairs, &mut pdf);
+        self.eval_block(pairs, &mut values);
+        draws.samples(
+            samples,
             #[inline(always)]
-            || {
-                C::fill(
-                    &mut samples.weight,
-                    &mut samples.wi_pdf,
-                    #[inline(always)]
-                    |index| kept[index].sample(pdf[index], C::at(&values, index)).into_parts(),
-                );
-            },
+            |index| kept[index].sample(pdf[index], C::at(&values, index)),
         );
     }
 }

@@ -3,12 +3,12 @@
 use core::array;
 
 use crate::block::{
-    BLOCK, BatchError, ColorBuffer, DirectionBlock, Directions, Draws, Numbers, Pairs,
-    SampleBuffer, Uniforms, check, fill, run, within,
+    BLOCK, BatchError, ColorBuffer, Directions, Draws, Numbers, Pairs, SampleBuffer, Uniforms,
+    check, run,
 };
 use crate::brdf::Brdf;
 use crate::error::ParameterError;
-use crate::real::{Color, Real};
+use crate::real::Real;
 
 /// [`Brdf::eval_batch`] where every element has a model of its own, which `model` makes for the
 /// index of the element. It is asked once for each index, in order. Models that are not [`Copy`],
@@ -42,20 +42,12 @@ pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
 ) -> Result<(), BatchError> {
     let pairs = Pairs { wi, wo };
     let length = check(&pairs, &values)?;
-    run(pairs, values, &mut |set, start, [a, b, c, d, e, f], values| {
+    run(pairs, values, &mut |pairs, start, values| {
         let models = models(&model, start, length)?;
-        let (wi, wo) = (DirectionBlock([a, b, c]), DirectionBlock([d, e, f]));
-        within::<T, _>(
-            set,
+        pairs.colors(
+            values,
             #[inline(always)]
-            || {
-                M::Color::fill(
-                    values,
-                    &mut [],
-                    #[inline(always)]
-                    |index| (models[index].eval(wi.at(index), wo.at(index)), []),
-                );
-            },
+            |index| models[index].eval(pairs.wi(index), pairs.wo(index)),
         );
         Ok(())
     })
@@ -73,19 +65,12 @@ pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
 ) -> Result<(), BatchError> {
     let (pairs, pdf) = (Pairs { wi, wo }, Numbers(pdf, "pdf"));
     let length = check(&pairs, &pdf)?;
-    run(pairs, pdf, &mut |set, start, [a, b, c, d, e, f], pdf| {
+    run(pairs, pdf, &mut |pairs, start, pdf| {
         let models = models(&model, start, length)?;
-        let (wi, wo) = (DirectionBlock([a, b, c]), DirectionBlock([d, e, f]));
-        within::<T, _>(
-            set,
+        pairs.numbers(
+            array::from_mut(pdf),
             #[inline(always)]
-            || {
-                fill(
-                    array::from_mut(pdf),
-                    #[inline(always)]
-                    |index| [models[index].pdf(wi.at(index), wo.at(index))],
-                );
-            },
+            |index| [models[index].pdf(pairs.wi(index), pairs.wo(index))],
         );
         Ok(())
     })
@@ -103,20 +88,12 @@ pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
 ) -> Result<(), BatchError> {
     let draws = Draws { wo, u };
     let length = check(&draws, &samples)?;
-    run(draws, samples, &mut |set, start, [a, b, c, u0, u1], samples| {
+    run(draws, samples, &mut |draws, start, samples| {
         let models = models(&model, start, length)?;
-        let wo = DirectionBlock([a, b, c]);
-        within::<T, _>(
-            set,
+        draws.samples(
+            samples,
             #[inline(always)]
-            || {
-                M::Color::fill(
-                    &mut samples.weight,
-                    &mut samples.wi_pdf,
-                    #[inline(always)]
-                    |index| models[index].sample(wo.at(index), [u0[index], u1[index]]).into_parts(),
-                );
-            },
+            |index| models[index].sample(draws.wo(index), draws.u(index)),
         );
         Ok(())
     })

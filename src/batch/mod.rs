@@ -43,7 +43,8 @@ mod each;
 pub mod parallel;
 
 pub use crate::block::{
-    BLOCK, BatchError, ColorBlock, ColorBuffer, DirectionBlock, DirectionBuffer, Directions,
-    InstructionSet, Plane, SampleBlock, SampleBuffer, Uniforms,
+    BLOCK, BatchError, Block, ColorBlock, ColorBuffer, CosineBlock, DirectionBlock,
+    DirectionBuffer, Directions, DrawBlock, InstructionSet, PairBlock, Plane, SampleBlock,
+    SampleBuffer, UniformBlock, Uniforms,
 };
 pub use each::{eval_each, pdf_each, sample_each};

@@ -14,8 +14,10 @@ pub use input::{Directions, Uniforms};
 pub use instruction_set::InstructionSet;
 pub(crate) use output::Numbers;
 pub use output::{ColorBuffer, DirectionBuffer, SampleBuffer};
-pub use planes::{BLOCK, ColorBlock, DirectionBlock, Plane, SampleBlock};
-pub(crate) use planes::{fill, refill, within};
+pub use planes::{
+    BLOCK, Block, ColorBlock, CosineBlock, DirectionBlock, DrawBlock, PairBlock, Plane,
+    SampleBlock, UniformBlock,
+};
 #[cfg(feature = "rayon")]
 pub(crate) use run::{Input, Output};
 pub(crate) use run::{check, run};

@@ -1,9 +1,9 @@
 //! What a batch writes.
 
 use super::error::{BatchError, Length};
-use super::planes::{BLOCK, ColorBlock, DirectionBlock, Plane, SampleBlock, copy_front};
+use super::planes::{BLOCK, ColorBlock, Plane, SampleBlock, copy_front};
 use super::run::Output;
-use crate::real::{Color, Real};
+use crate::real::{Color, Real, Vector};
 
 /// Directions that a batch writes.
 #[derive(Debug)]
@@ -67,13 +67,15 @@ impl<T: Real> DirectionBuffer<'_, T> {
     }
 
     #[inline(always)]
-    fn write(&mut self, start: usize, block: DirectionBlock<'_, T>) {
+    fn write(&mut self, start: usize, block: &[Plane<T>; 4]) {
         match self {
             Self::Vectors(vectors) => {
-                put_together(part(vectors, start), |index| block.at(index));
+                put_together(part(vectors, start), |index| {
+                    Vector::new(block[0][index], block[1][index], block[2][index])
+                });
             }
             Self::Planes(planes) => {
-                for (plane, block) in planes.iter_mut().zip(block.0) {
+                for (plane, block) in planes.iter_mut().zip(block) {
                     copy_front(block, part(plane, start));
                 }
             }
@@ -210,7 +212,7 @@ impl<T: Real, C: Color<T>> Output for SampleBuffer<'_, T, C> {
 
     #[inline(always)]
     fn write(&mut self, start: usize, block: &Self::Block) {
-        self.wi.write(start, block.wi());
+        self.wi.write(start, &block.wi_pdf);
         self.weight.write(start, &block.weight);
         copy_front(&block.wi_pdf[3], part(self.pdf, start));
     }

@@ -1,37 +1,193 @@
-//! A block of directions in the layout that SIMD code wants: one array per component.
+//! A block of a batch in the layout that SIMD code wants: one array for each component.
 //!
-//! Batches run block by block, by loops of a fixed length ([`fill`], [`Color::fill`]) that the
-//! compiler turns into SIMD code.
+//! Batches run block by block, by loops of a fixed length that the compiler turns into SIMD code.
 
 use super::instruction_set::InstructionSet;
 use crate::real::{Color, Real, Vector};
 
-/// The number of directions in a block.
+/// The number of elements in a block.
 pub const BLOCK: usize = 128;
 
-/// One number of each direction of a block.
+/// One number of each element of a block.
 pub type Plane<T> = [T; BLOCK];
 
 /// The colours of a block: one plane for each channel.
 pub type ColorBlock<T, C> = <C as Color<T>>::Channels<Plane<T>>;
 
-/// The directions of a block, wherever their components lie.
+/// What is asked about the elements of a block, `N` numbers for each, and the instruction set that
+/// the answers are computed with.
 #[derive(Clone, Copy, Debug)]
-pub struct DirectionBlock<'a, T>(pub [&'a Plane<T>; 3]);
+pub struct Block<'a, T, const N: usize> {
+    /// What the loops over the block are compiled for.
+    pub set: InstructionSet,
+    /// The numbers, wherever they lie.
+    pub planes: [&'a Plane<T>; N],
+}
 
-impl<'a, T: Real> DirectionBlock<'a, T> {
-    /// The directions whose components fill three planes.
+/// Pairs of directions: x, y, z of `wi`, then of `wo`.
+pub type PairBlock<'a, T> = Block<'a, T, 6>;
+/// Viewers and uniform numbers: x, y, z of `wo`, then the numbers.
+pub type DrawBlock<'a, T> = Block<'a, T, 5>;
+/// Directions: x, y, z.
+pub type DirectionBlock<'a, T> = Block<'a, T, 3>;
+/// Pairs of uniform numbers.
+pub type UniformBlock<'a, T> = Block<'a, T, 2>;
+/// Cosines of angles of incidence.
+pub type CosineBlock<'a, T> = Block<'a, T, 1>;
+
+impl<'a, T: Real, const N: usize> Block<'a, T, N> {
+    /// Runs a loop over the block, compiled for the instruction set if these numbers gain by it.
+    ///
+    /// What the loop calls takes part only if it is always inlined: functions with
+    /// `#[inline(always)]`, closures with the same attribute.
     #[inline(always)]
-    #[must_use]
-    pub const fn new([x, y, z]: &'a [Plane<T>; 3]) -> Self {
-        Self([x, y, z])
+    pub fn within<R>(&self, work: impl FnOnce() -> R) -> R {
+        if T::VECTORIZES { self.set.run(work) } else { work() }
     }
 
+    /// Fills colours with what a formula answers for the places of the block.
+    #[inline(always)]
+    pub fn colors<C: Color<T>>(&self, colors: &mut ColorBlock<T, C>, formula: impl Fn(usize) -> C) {
+        self.within(
+            #[inline(always)]
+            || {
+                C::fill(
+                    colors,
+                    &mut [],
+                    #[inline(always)]
+                    |index| (formula(index), []),
+                );
+            },
+        );
+    }
+
+    /// Fills planes with the numbers that a formula answers for the places of the block.
+    #[inline(always)]
+    pub fn numbers<const M: usize>(
+        &self,
+        planes: &mut [Plane<T>; M],
+        formula: impl Fn(usize) -> [T; M],
+    ) {
+        self.within(
+            #[inline(always)]
+            || fill(planes, formula),
+        );
+    }
+
+    /// Changes planes and fills others: the formula is told what stands at its place.
+    #[inline(always)]
+    pub(crate) fn changed<const M: usize, const K: usize>(
+        &self,
+        planes: &mut [Plane<T>; M],
+        others: &mut [Plane<T>; K],
+        formula: impl Fn(usize, [T; M]) -> ([T; M], [T; K]),
+    ) {
+        self.within(
+            #[inline(always)]
+            || refill(planes, others, formula),
+        );
+    }
+
+    /// Other numbers for the same loops.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of<'b, const M: usize>(&self, planes: [&'b Plane<T>; M]) -> Block<'b, T, M> {
+        Block { set: self.set, planes }
+    }
+
+    #[inline(always)]
+    fn vector<const START: usize>(&self, index: usize) -> T::Vec3 {
+        let at = |component: usize| self.planes[START + component][index];
+        Vector::new(at(0), at(1), at(2))
+    }
+}
+
+impl<'a, T: Real> PairBlock<'a, T> {
+    /// The direction towards the light of one of the elements.
+    #[inline(always)]
+    #[must_use]
+    pub fn wi(&self, index: usize) -> T::Vec3 {
+        self.vector::<0>(index)
+    }
+
+    /// The direction towards the viewer of one of the elements.
+    #[inline(always)]
+    #[must_use]
+    pub fn wo(&self, index: usize) -> T::Vec3 {
+        self.vector::<3>(index)
+    }
+
+    /// All directions towards the light, and all towards the viewer.
+    #[inline(always)]
+    #[must_use]
+    pub const fn apart(&self) -> [DirectionBlock<'a, T>; 2] {
+        let [a, b, c, d, e, f] = self.planes;
+        [Block { set: self.set, planes: [a, b, c] }, Block { set: self.set, planes: [d, e, f] }]
+    }
+}
+
+impl<'a, T: Real> DrawBlock<'a, T> {
+    /// The direction towards the viewer of one of the elements.
+    #[inline(always)]
+    #[must_use]
+    pub fn wo(&self, index: usize) -> T::Vec3 {
+        self.vector::<0>(index)
+    }
+
+    /// The uniform numbers of one of the elements.
+    #[inline(always)]
+    #[must_use]
+    pub const fn u(&self, index: usize) -> [T; 2] {
+        [self.planes[3][index], self.planes[4][index]]
+    }
+
+    /// The same viewers with other uniform numbers.
+    #[inline(always)]
+    #[must_use]
+    pub const fn with<'b>(&self, [u0, u1]: [&'b Plane<T>; 2]) -> DrawBlock<'b, T>
+    where
+        'a: 'b,
+    {
+        let [x, y, z, _, _] = self.planes;
+        Block { set: self.set, planes: [x, y, z, u0, u1] }
+    }
+
+    /// Other directions towards the light for the same viewers.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) const fn lit_from<'b>(&self, wi: [&'b Plane<T>; 3]) -> PairBlock<'b, T>
+    where
+        'a: 'b,
+    {
+        let ([a, b, c], [x, y, z, _, _]) = (wi, self.planes);
+        Block { set: self.set, planes: [a, b, c, x, y, z] }
+    }
+}
+
+impl<T: Real> DirectionBlock<'_, T> {
     /// One of the directions.
     #[inline(always)]
     #[must_use]
     pub fn at(&self, index: usize) -> T::Vec3 {
-        Vector::new(self.0[0][index], self.0[1][index], self.0[2][index])
+        self.vector::<0>(index)
+    }
+}
+
+impl<T: Real> UniformBlock<'_, T> {
+    /// The numbers of one of the elements.
+    #[inline(always)]
+    #[must_use]
+    pub const fn u(&self, index: usize) -> [T; 2] {
+        [self.planes[0][index], self.planes[1][index]]
+    }
+}
+
+impl<T: Real> CosineBlock<'_, T> {
+    /// One of the cosines.
+    #[inline(always)]
+    #[must_use]
+    pub const fn cos(&self, index: usize) -> T {
+        self.planes[0][index]
     }
 }
 
@@ -52,14 +208,6 @@ impl<T: Real, C: Color<T>> SampleBlock<T, C> {
         let zero = [T::zero(); BLOCK];
         Self { weight: C::by_channel(|_| zero), wi_pdf: [zero; 4] }
     }
-
-    /// [`Sample::wi`](crate::Sample::wi).
-    #[inline(always)]
-    #[must_use]
-    pub const fn wi(&self) -> DirectionBlock<'_, T> {
-        let [x, y, z, _] = &self.wi_pdf;
-        DirectionBlock([x, y, z])
-    }
 }
 
 impl<T: Real, C: Color<T>> Default for SampleBlock<T, C> {
@@ -68,14 +216,11 @@ impl<T: Real, C: Color<T>> Default for SampleBlock<T, C> {
     }
 }
 
-/// Fills planes with what a formula answers for the places of a block: for numbers what
-/// [`Color::fill`] is for colours, and as fast.
+/// Fills planes with what a formula answers for their places: for numbers what [`Color::fill`] is
+/// for colours, and as fast.
 #[inline(always)]
 #[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
-pub(crate) fn fill<T: Real, const M: usize>(
-    planes: &mut [Plane<T>; M],
-    formula: impl Fn(usize) -> [T; M],
-) {
+fn fill<T: Real, const M: usize>(planes: &mut [Plane<T>; M], formula: impl Fn(usize) -> [T; M]) {
     for index in 0..BLOCK {
         let numbers = formula(index);
         for number in 0..M {
@@ -87,7 +232,7 @@ pub(crate) fn fill<T: Real, const M: usize>(
 /// Changes some planes and fills others, as [`fill`]: the formula is told what stands at its place.
 #[inline(always)]
 #[allow(clippy::needless_range_loop, reason = "an iterator would be another function")]
-pub(crate) fn refill<T: Real, const M: usize, const K: usize>(
+fn refill<T: Real, const M: usize, const K: usize>(
     planes: &mut [Plane<T>; M],
     others: &mut [Plane<T>; K],
     formula: impl Fn(usize, [T; M]) -> ([T; M], [T; K]),
@@ -107,15 +252,9 @@ pub(crate) fn refill<T: Real, const M: usize, const K: usize>(
     }
 }
 
-/// Runs `work` compiled for the instruction set, if these numbers gain by it.
-#[inline(always)]
-pub(crate) fn within<T: Real, R>(set: InstructionSet, work: impl FnOnce() -> R) -> R {
-    if T::VECTORIZES { set.run(work) } else { work() }
-}
-
 /// Fills `to`, which is no longer than a block, from the front of the plane.
 #[inline(always)]
-pub(crate) fn copy_front<T: Copy>(from: &Plane<T>, to: &mut [T]) {
+pub(super) fn copy_front<T: Copy>(from: &Plane<T>, to: &mut [T]) {
     for (to, from) in to.iter_mut().zip(from) {
         *to = *from;
     }

@@ -2,7 +2,7 @@
 
 use super::error::{BatchError, Length};
 use super::instruction_set::InstructionSet;
-use super::planes::{BLOCK, Plane, within};
+use super::planes::{BLOCK, Block, Plane};
 use crate::real::Real;
 
 /// What a batch reads: `N` numbers for each element.
@@ -52,31 +52,30 @@ pub(crate) fn check<T: Real, const N: usize>(
     Ok(length.get())
 }
 
-/// The answers for a block of elements that begins at a place of the batch.
-pub(crate) type Block<'a, T, B, const N: usize> =
-    &'a mut dyn FnMut(InstructionSet, usize, [&Plane<T>; N], &mut B) -> Result<(), BatchError>;
+/// Answers about a block that begins at a place of the batch.
+pub(crate) type Answer<'a, T, B, const N: usize> =
+    &'a mut dyn FnMut(Block<'_, T, N>, usize, &mut B) -> Result<(), BatchError>;
 
 /// Runs `block` for every block of a batch and writes the answers.
 #[inline(never)]
 pub(crate) fn run<T: Real, O: Output, const N: usize>(
     input: impl Input<T, N>,
     mut output: O,
-    block: Block<'_, T, O::Block, N>,
+    block: Answer<'_, T, O::Block, N>,
 ) -> Result<(), BatchError> {
     let length = check(&input, &output)?;
     let set = InstructionSet::selected();
-    within::<T, _>(
-        set,
+    let all: Block<'_, T, 0> = Block { set, planes: [] };
+    all.within(
         #[inline(always)]
         || {
-            let mut memory = [[T::zero(); BLOCK]; N];
-            let mut result = O::memory();
+            let (mut memory, mut result) = ([[T::zero(); BLOCK]; N], O::memory());
             for start in (0..length).step_by(BLOCK) {
-                let planes = input.planes(start, &mut memory);
+                let asked = Block { set, planes: input.planes(start, &mut memory) };
                 if let Some(place) = output.in_place(start) {
-                    block(set, start, planes, place)?;
+                    block(asked, start, place)?;
                 } else {
-                    block(set, start, planes, &mut result)?;
+                    block(asked, start, &mut result)?;
                     output.write(start, &result);
                 }
             }

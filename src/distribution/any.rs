@@ -4,7 +4,7 @@ use super::blinn::Blinn;
 use super::gaussian::Gaussian;
 use super::ggx::Ggx;
 use super::traits::Distribution;
-use crate::block::{DirectionBlock, InstructionSet, Plane};
+use crate::block::{DirectionBlock, Plane, UniformBlock};
 use crate::real::{Real, members};
 
 members! {
@@ -92,25 +92,15 @@ impl<T: Real> Distribution<T> for AnyDistribution<T> {
         each_distribution!(self, distribution => distribution.sample(u))
     }
 
-    fn density_block(
-        &self,
-        set: InstructionSet,
-        h: DirectionBlock<'_, T>,
-        densities: &mut Plane<T>,
-    ) {
-        each_distribution!(self, distribution => distribution.density_block(set, h, densities));
+    fn density_block(&self, h: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+        each_distribution!(self, distribution => distribution.density_block(h, densities));
     }
 
-    fn density_along_block(
-        &self,
-        set: InstructionSet,
-        m: DirectionBlock<'_, T>,
-        densities: &mut Plane<T>,
-    ) {
-        each_distribution!(self, distribution => distribution.density_along_block(set, m, densities));
+    fn density_along_block(&self, m: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+        each_distribution!(self, distribution => distribution.density_along_block(m, densities));
     }
 
-    fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
-        each_distribution!(self, distribution => distribution.sample_block(set, u, h));
+    fn sample_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+        each_distribution!(self, distribution => distribution.sample_block(uniforms, h));
     }
 }

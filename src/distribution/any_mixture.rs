@@ -4,7 +4,7 @@ use core::array;
 use super::any::{AnyDistribution, each_smith};
 use super::mixture::{Choice, Visible, reach, weights};
 use super::traits::{Distribution, Smith};
-use crate::block::{BLOCK, DirectionBlock, InstructionSet, Plane, fill, refill, within};
+use crate::block::{BLOCK, Block, DirectionBlock, DrawBlock, Plane, UniformBlock};
 use crate::error::ParameterError;
 use crate::real::{Lift, Mask, Real};
 use crate::sampling::uniform;
@@ -135,31 +135,20 @@ impl<T: Real> Distribution<T> for AnyMixture<T> {
         self.choose(u, |weight, _| weight, |each, u| each.sample(u))
     }
 
-    fn density_block(
-        &self,
-        set: InstructionSet,
-        h: DirectionBlock<'_, T>,
-        densities: &mut Plane<T>,
-    ) {
-        self.sum_block(set, densities, |each, density| each.density_block(set, h, density));
+    fn density_block(&self, h: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+        self.sum_block(h, densities, |each, density| each.density_block(h, density));
     }
 
-    fn density_along_block(
-        &self,
-        set: InstructionSet,
-        m: DirectionBlock<'_, T>,
-        densities: &mut Plane<T>,
-    ) {
-        self.sum_block(set, densities, |each, density| each.density_along_block(set, m, density));
+    fn density_along_block(&self, m: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+        self.sum_block(m, densities, |each, density| each.density_along_block(m, density));
     }
 
-    fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
+    fn sample_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
         self.choose_block(
-            set,
-            u,
+            uniforms,
             h,
             |weight, _, probability| *probability = [weight; BLOCK],
-            |each, u, drawn| each.sample_block(set, u, drawn),
+            |each, uniforms, drawn| each.sample_block(uniforms, drawn),
         );
     }
 }
@@ -212,41 +201,27 @@ impl<T: Real> Smith<T> for SmithMixture<'_, T> {
         )
     }
 
-    fn projected_area_block(
-        &self,
-        set: InstructionSet,
-        w: DirectionBlock<'_, T>,
-        areas: &mut Plane<T>,
-    ) {
-        self.0.sum_block(set, areas, |each, area| {
-            each_smith!(each, one => one.projected_area_block(set, w, area), ());
+    fn projected_area_block(&self, w: DirectionBlock<'_, T>, areas: &mut Plane<T>) {
+        self.0.sum_block(w, areas, |each, area| {
+            each_smith!(each, one => one.projected_area_block(w, area), ());
         });
     }
 
-    fn sample_visible_block(
-        &self,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
-        h: &mut [Plane<T>; 4],
-    ) {
-        let all: Plane<T> = array::from_fn(|index| self.lambda_cos(wo.at(index)));
+    fn sample_visible_block(&self, draws: DrawBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+        let visible = |index| Visible::new(draws.wo(index), self.lambda_cos(draws.wo(index)));
+        let visible: [Visible<T>; BLOCK] = array::from_fn(visible);
+        let [_, _, _, u0, u1] = draws.planes;
         self.0.choose_block(
-            set,
-            u,
+            draws.of([u0, u1]),
             h,
             |weight, each, probability| {
-                each_smith!(each, one => fill(
-                    array::from_mut(probability),
-                    |index| {
-                        let wo = wo.at(index);
-                        let visible = Visible::new(wo, all[index]);
-                        [visible.probability(weight, one.lambda_cos(wo))]
-                    }
-                ), ());
+                each_smith!(each, one => draws.numbers(array::from_mut(probability), |index| {
+                    [visible[index].probability(weight, one.lambda_cos(draws.wo(index)))]
+                }), ());
             },
-            |each, u, drawn| {
-                each_smith!(each, one => one.sample_visible_block(set, wo, u, drawn), ());
+            |each, uniforms, drawn| {
+                let draws = draws.with(uniforms.planes);
+                each_smith!(each, one => one.sample_visible_block(draws, drawn), ());
             },
         );
     }
@@ -254,9 +229,9 @@ impl<T: Real> Smith<T> for SmithMixture<'_, T> {
 
 impl<T: Real> AnyMixture<T> {
     /// Σ wᵢ `term`(Dᵢ) for a block.
-    fn sum_block(
+    fn sum_block<const N: usize>(
         &self,
-        set: InstructionSet,
+        block: Block<'_, T, N>,
         sum: &mut Plane<T>,
         term: impl Fn(&AnyDistribution<T>, &mut Plane<T>),
     ) {
@@ -264,58 +239,47 @@ impl<T: Real> AnyMixture<T> {
         *sum = part;
         for (weight, each) in &self.terms {
             term(each, &mut part);
-            within::<T, _>(
-                set,
+            block.changed(
+                array::from_mut(sum),
+                &mut [],
                 #[inline(always)]
-                || {
-                    for (sum, part) in sum.iter_mut().zip(&part) {
-                        *sum = *sum + *weight * *part;
-                    }
-                },
+                |index, [sum]| ([sum + *weight * part[index]], []),
             );
         }
-        for sum in sum {
-            *sum = sum.min(T::max_finite());
-        }
+        *sum = sum.map(|sum| sum.min(T::max_finite()));
     }
 
     /// [`choose`](Self::choose) for a block: every term draws.
     fn choose_block(
         &self,
-        set: InstructionSet,
-        [u0, u1]: [&Plane<T>; 2],
+        uniforms: UniformBlock<'_, T>,
         h: &mut [Plane<T>; 4],
         probability: impl Fn(T, &AnyDistribution<T>, &mut Plane<T>),
-        draw: impl Fn(&AnyDistribution<T>, [&Plane<T>; 2], &mut [Plane<T>; 4]),
+        draw: impl Fn(&AnyDistribution<T>, UniformBlock<'_, T>, &mut [Plane<T>; 4]),
     ) {
         let zero = [T::zero(); BLOCK];
         let (mut part, mut start, mut place, mut drawn) = (zero, zero, zero, [zero; 4]);
         *h = [zero, zero, [T::one(); BLOCK], zero];
+        let [u0, u1] = uniforms.planes;
         for (weight, each) in &self.terms {
             probability(*weight, each, &mut part);
             let at = |index: usize| {
                 let [u, _] = uniform([u0[index]; 2]);
                 reach(u, start[index], part[index])
             };
-            fill(array::from_mut(&mut place), |index| [at(index).0]);
-            draw(each, [&place, u1], &mut drawn);
-            within::<T, _>(
-                set,
+            uniforms.numbers(array::from_mut(&mut place), |index| [at(index).0]);
+            draw(each, uniforms.of([&place, u1]), &mut drawn);
+            uniforms.changed(
+                h,
+                &mut [],
                 #[inline(always)]
-                || {
-                    refill(
-                        h,
-                        &mut [],
-                        #[inline(always)]
-                        |index, before| {
-                            let (_, reached) = at(index);
-                            let mut after = before;
-                            for (after, drawn) in after.iter_mut().zip(&drawn) {
-                                *after = T::select(reached, drawn[index], *after);
-                            }
-                            (after, [])
-                        },
-                    );
+                |index, before| {
+                    let (_, reached) = at(index);
+                    let mut after = before;
+                    for (after, drawn) in after.iter_mut().zip(&drawn) {
+                        *after = T::select(reached, drawn[index], *after);
+                    }
+                    (after, [])
                 },
             );
             for (start, part) in start.iter_mut().zip(&part) {

@@ -4,8 +4,7 @@ use alloc::boxed::Box;
 use core::array;
 
 use crate::block::{
-    BatchError, DirectionBlock, Directions, InstructionSet, Normals, Numbers, Plane, fill, run,
-    within,
+    BatchError, DirectionBlock, Directions, DrawBlock, Normals, Numbers, Plane, UniformBlock, run,
 };
 use crate::real::{Real, Vector};
 
@@ -33,44 +32,22 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
 
     /// [`density`](Self::density) for a block of directions, as
     /// [`Brdf::eval_block`](crate::Brdf::eval_block).
-    fn density_block(
-        &self,
-        set: InstructionSet,
-        h: DirectionBlock<'_, T>,
-        densities: &mut Plane<T>,
-    ) {
-        within::<T, _>(
-            set,
+    fn density_block(&self, h: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+        h.numbers(
+            array::from_mut(densities),
             #[inline(always)]
-            || {
-                fill(
-                    array::from_mut(densities),
-                    #[inline(always)]
-                    |index| [self.density(h.at(index))],
-                );
-            },
+            |index| [self.density(h.at(index))],
         );
     }
 
     /// [`density_along`](Self::density_along) for a block of vectors.
     #[doc(hidden)]
     #[inline(never)]
-    fn density_along_block(
-        &self,
-        set: InstructionSet,
-        m: DirectionBlock<'_, T>,
-        densities: &mut Plane<T>,
-    ) {
-        within::<T, _>(
-            set,
+    fn density_along_block(&self, m: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+        m.numbers(
+            array::from_mut(densities),
             #[inline(always)]
-            || {
-                fill(
-                    array::from_mut(densities),
-                    #[inline(always)]
-                    |index| [self.density_along(m.at(index))],
-                );
-            },
+            |index| [self.density_along(m.at(index))],
         );
     }
 
@@ -78,17 +55,11 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     /// [`Brdf::eval_block`](crate::Brdf::eval_block): the components of `h` fill the first three
     /// planes.
     #[inline(never)]
-    fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
-        within::<T, _>(
-            set,
+    fn sample_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+        uniforms.numbers(
+            h,
             #[inline(always)]
-            || {
-                fill(
-                    h,
-                    #[inline(always)]
-                    |index| components(self.sample([u[0][index], u[1][index]])),
-                );
-            },
+            |index| components(self.sample(uniforms.u(index))),
         );
     }
 
@@ -99,8 +70,8 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     /// If slices differ in length.
     fn density_batch(&self, h: Directions<'_, T>, densities: &mut [T]) -> Result<(), BatchError> {
         let output = Numbers(densities, "densities");
-        run(Normals(h), output, &mut |set, _, h, densities| {
-            self.density_block(set, DirectionBlock(h), densities);
+        run(Normals(h), output, &mut |h, _, densities| {
+            self.density_block(h, densities);
             Ok(())
         })
     }
@@ -134,47 +105,22 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     /// [`projected_area`](Self::projected_area) for a block of directions.
     #[doc(hidden)]
     #[inline(never)]
-    fn projected_area_block(
-        &self,
-        set: InstructionSet,
-        w: DirectionBlock<'_, T>,
-        areas: &mut Plane<T>,
-    ) {
-        within::<T, _>(
-            set,
+    fn projected_area_block(&self, w: DirectionBlock<'_, T>, areas: &mut Plane<T>) {
+        w.numbers(
+            array::from_mut(areas),
             #[inline(always)]
-            || {
-                fill(
-                    array::from_mut(areas),
-                    #[inline(always)]
-                    |index| [self.projected_area(w.at(index))],
-                );
-            },
+            |index| [self.projected_area(w.at(index))],
         );
     }
 
     /// [`sample_visible`](Self::sample_visible) for a block of viewers, as
     /// [`Distribution::sample_block`].
     #[inline(never)]
-    fn sample_visible_block(
-        &self,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
-        h: &mut [Plane<T>; 4],
-    ) {
-        within::<T, _>(
-            set,
+    fn sample_visible_block(&self, draws: DrawBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+        draws.numbers(
+            h,
             #[inline(always)]
-            || {
-                fill(
-                    h,
-                    #[inline(always)]
-                    |index| {
-                        components(self.sample_visible(wo.at(index), [u[0][index], u[1][index]]))
-                    },
-                );
-            },
+            |index| components(self.sample_visible(draws.wo(index), draws.u(index))),
         );
     }
 }
@@ -194,16 +140,14 @@ macro_rules! forward {
             fn sample(&self, u: [T; 2]) -> T::Vec3 {
                 (**self).sample(u)
             }
-            fn density_block(
-                &self,
-                set: InstructionSet,
-                h: DirectionBlock<'_, T>,
-                densities: &mut Plane<T>,
-            ) {
-                (**self).density_block(set, h, densities);
+            fn density_block(&self, h: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+                (**self).density_block(h, densities);
             }
-            fn sample_block(&self, set: InstructionSet, u: [&Plane<T>; 2], h: &mut [Plane<T>; 4]) {
-                (**self).sample_block(set, u, h);
+            fn density_along_block(&self, m: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
+                (**self).density_along_block(m, densities);
+            }
+            fn sample_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+                (**self).sample_block(uniforms, h);
             }
         }
 
@@ -220,14 +164,11 @@ macro_rules! forward {
             fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(wo, u)
             }
-            fn sample_visible_block(
-                &self,
-                set: InstructionSet,
-                wo: DirectionBlock<'_, T>,
-                u: [&Plane<T>; 2],
-                h: &mut [Plane<T>; 4],
-            ) {
-                (**self).sample_visible_block(set, wo, u, h);
+            fn projected_area_block(&self, w: DirectionBlock<'_, T>, areas: &mut Plane<T>) {
+                (**self).projected_area_block(w, areas);
+            }
+            fn sample_visible_block(&self, draws: DrawBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+                (**self).sample_visible_block(draws, h);
             }
         }
     };

@@ -4,7 +4,7 @@ use super::dielectric::Dielectric;
 use super::interpolation::{Cook, Hall};
 use super::schlick::Schlick;
 use super::term::Fresnel;
-use crate::block::{ColorBlock, InstructionSet, Plane};
+use crate::block::{Block, ColorBlock, CosineBlock};
 use crate::real::{Color, Real, call, members};
 
 members! {
@@ -70,21 +70,11 @@ impl<T: Real, C: Color<T>> Fresnel<T> for AnyFresnel<T, C> {
         each!(self, term => term.average())
     }
 
-    fn reflectance_block(
-        &self,
-        set: InstructionSet,
-        cos_theta: &Plane<T>,
-        values: &mut ColorBlock<T, C>,
-    ) {
-        each!(self, term => term.reflectance_block(set, cos_theta, values));
+    fn reflectance_block(&self, cosines: CosineBlock<'_, T>, values: &mut ColorBlock<T, C>) {
+        each!(self, term => term.reflectance_block(cosines, values));
     }
 
-    fn reflected_block(
-        &self,
-        set: InstructionSet,
-        mirrored: &[Plane<T>; 2],
-        values: &mut ColorBlock<T, C>,
-    ) {
-        each!(self, term => term.reflected_block(set, mirrored, values));
+    fn reflected_block(&self, mirrored: Block<'_, T, 2>, values: &mut ColorBlock<T, C>) {
+        each!(self, term => term.reflected_block(mirrored, values));
     }
 }

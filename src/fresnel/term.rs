@@ -2,9 +2,7 @@
 
 use alloc::boxed::Box;
 
-use crate::block::{
-    BatchError, ColorBlock, ColorBuffer, Cosines, InstructionSet, Plane, run, within,
-};
+use crate::block::{BatchError, Block, ColorBlock, ColorBuffer, CosineBlock, Cosines, run};
 use crate::quadrature::integrate;
 use crate::real::{Color, Real, in_place};
 
@@ -51,21 +49,13 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     /// [`Brdf::eval_block`](crate::Brdf::eval_block).
     fn reflectance_block(
         &self,
-        set: InstructionSet,
-        cos_theta: &Plane<T>,
+        cosines: CosineBlock<'_, T>,
         values: &mut ColorBlock<T, Self::Color>,
     ) {
-        within::<T, _>(
-            set,
+        cosines.colors(
+            values,
             #[inline(always)]
-            || {
-                Self::Color::fill(
-                    values,
-                    &mut [],
-                    #[inline(always)]
-                    |index| (self.reflectance(cos_theta[index]), []),
-                );
-            },
+            |index| self.reflectance(cosines.cos(index)),
         );
     }
 
@@ -83,27 +73,16 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         )
     }
 
-    /// [`reflected`](Self::reflected) for a block of facets.
+    /// [`reflected`](Self::reflected) for a block of facets: cosines and what they are multiplied
+    /// with.
     #[doc(hidden)]
     #[inline(never)]
-    fn reflected_block(
-        &self,
-        set: InstructionSet,
-        mirrored: &[Plane<T>; 2],
-        values: &mut ColorBlock<T, Self::Color>,
-    ) {
-        let [cos, scale] = mirrored;
-        within::<T, _>(
-            set,
+    fn reflected_block(&self, mirrored: Block<'_, T, 2>, values: &mut ColorBlock<T, Self::Color>) {
+        let [cos, scale] = mirrored.planes;
+        mirrored.colors(
+            values,
             #[inline(always)]
-            || {
-                Self::Color::fill(
-                    values,
-                    &mut [],
-                    #[inline(always)]
-                    |index| (self.reflected(cos[index], scale[index]), []),
-                );
-            },
+            |index| self.reflected(cos[index], scale[index]),
         );
     }
 
@@ -117,8 +96,8 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         cos_theta: &[T],
         values: ColorBuffer<'_, T, Self::Color>,
     ) -> Result<(), BatchError> {
-        run(Cosines(cos_theta), values, &mut |set, _, [cos_theta], values| {
-            self.reflectance_block(set, cos_theta, values);
+        run(Cosines(cos_theta), values, &mut |cosines, _, values| {
+            self.reflectance_block(cosines, values);
             Ok(())
         })
     }
@@ -138,11 +117,10 @@ macro_rules! forward {
             }
             fn reflectance_block(
                 &self,
-                set: InstructionSet,
-                cos_theta: &Plane<T>,
+                cosines: CosineBlock<'_, T>,
                 values: &mut ColorBlock<T, F::Color>,
             ) {
-                (**self).reflectance_block(set, cos_theta, values);
+                (**self).reflectance_block(cosines, values);
             }
             #[inline(always)]
             fn reflected(&self, cos: T, scale: T) -> F::Color {
@@ -150,11 +128,10 @@ macro_rules! forward {
             }
             fn reflected_block(
                 &self,
-                set: InstructionSet,
-                mirrored: &[Plane<T>; 2],
+                mirrored: Block<'_, T, 2>,
                 values: &mut ColorBlock<T, F::Color>,
             ) {
-                (**self).reflected_block(set, mirrored, values);
+                (**self).reflected_block(mirrored, values);
             }
         }
     };

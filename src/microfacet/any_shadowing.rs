@@ -2,7 +2,7 @@ use super::mixture_block;
 use super::shadowing::{Draw, Mirrored, Shadowing};
 use super::smith::{SmithCorrelated, SmithSeparable};
 use super::v_cavity::VCavity;
-use crate::block::{DirectionBlock, InstructionSet, Plane};
+use crate::block::{DrawBlock, PairBlock, Plane};
 use crate::direction::Pair;
 use crate::distribution::{
     AnyDistribution, Smith, each_distribution, each_single_smith, each_smith,
@@ -180,54 +180,49 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
     fn sample_visible_block(
         &self,
         distribution: &AnyDistribution<T>,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
+        draws: DrawBlock<'_, T>,
         h: &mut [Plane<T>; 4],
     ) {
         chosen!(
-            self, distribution, kind => kind.sample_visible_block(distribution, set, wo, u, h),
-            VCavity.sample_visible_block(distribution, set, wo, u, h)
+            self, distribution, kind => kind.sample_visible_block(distribution, draws, h),
+            VCavity.sample_visible_block(distribution, draws, h)
         );
     }
 
     fn mirrored_block(
         &self,
         distribution: &AnyDistribution<T>,
-        set: InstructionSet,
-        pairs: [DirectionBlock<'_, T>; 2],
+        pairs: PairBlock<'_, T>,
         mirrored: &mut [Plane<T>; 2],
     ) {
         block!(
-            self, distribution, kind => kind.mirrored_block(distribution, set, pairs, mirrored),
-            mirrored(set, pairs, mirrored)
+            self, distribution, kind => kind.mirrored_block(distribution, pairs, mirrored),
+            mirrored(pairs, mirrored)
         );
     }
 
     fn pdf_block(
         &self,
         distribution: &AnyDistribution<T>,
-        set: InstructionSet,
-        pairs: [DirectionBlock<'_, T>; 2],
+        pairs: PairBlock<'_, T>,
         densities: &mut Plane<T>,
     ) {
         block!(
-            self, distribution, kind => kind.pdf_block(distribution, set, pairs, densities),
-            pdf(set, pairs, densities)
+            self, distribution, kind => kind.pdf_block(distribution, pairs, densities),
+            pdf(pairs, densities)
         );
     }
 
     fn mirror_block(
         &self,
         distribution: &AnyDistribution<T>,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
+        draws: DrawBlock<'_, T>,
         wi_pdf: &mut [Plane<T>; 4],
         weight: &mut [Plane<T>; 2],
     ) {
         block!(
-            self, distribution, kind => kind.mirror_block(distribution, set, wo, wi_pdf, weight),
-            mirror(set, wo, wi_pdf, weight)
+            self, distribution, kind => kind.mirror_block(distribution, draws, wi_pdf, weight),
+            mirror(draws, wi_pdf, weight)
         );
     }
 }

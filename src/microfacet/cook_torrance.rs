@@ -1,6 +1,6 @@
 use super::shadowing::{Draw, Mirrored, Shadowing};
 use super::v_cavity::VCavity;
-use crate::block::{BLOCK, ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock};
+use crate::block::{BLOCK, ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::distribution::Distribution;
 use crate::fresnel::Fresnel;
@@ -146,40 +146,21 @@ where
     // shadowing and once for each Fresnel term, not for each combination of all three; and the
     // shorter a loop, the more of its turns a processor works on at once.
 
-    fn eval_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        values: &mut ColorBlock<T, F::Color>,
-    ) {
+    fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, F::Color>) {
         let mut mirrored = [[T::zero(); BLOCK]; 2];
-        self.shadowing.mirrored_block(&self.distribution, set, [wi, wo], &mut mirrored);
-        self.fresnel.reflected_block(set, &mirrored, values);
+        self.shadowing.mirrored_block(&self.distribution, pairs, &mut mirrored);
+        self.fresnel.reflected_block(pairs.of(mirrored.each_ref()), values);
     }
 
-    fn pdf_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        pdf: &mut Plane<T>,
-    ) {
-        self.shadowing.pdf_block(&self.distribution, set, [wi, wo], pdf);
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
+        self.shadowing.pdf_block(&self.distribution, pairs, pdf);
     }
 
-    fn sample_block(
-        &self,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
-        samples: &mut SampleBlock<T, F::Color>,
-    ) {
-        let (distribution, shadowing) = (&self.distribution, &self.shadowing);
+    fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, F::Color>) {
         let SampleBlock { weight, wi_pdf } = samples;
         let mut mirrored = [[T::zero(); BLOCK]; 2];
-        shadowing.sample_visible_block(distribution, set, wo, u, wi_pdf);
-        shadowing.mirror_block(distribution, set, wo, wi_pdf, &mut mirrored);
-        self.fresnel.reflected_block(set, &mirrored, weight);
+        self.shadowing.sample_visible_block(&self.distribution, draws, wi_pdf);
+        self.shadowing.mirror_block(&self.distribution, draws, wi_pdf, &mut mirrored);
+        self.fresnel.reflected_block(draws.of(mirrored.each_ref()), weight);
     }
 }

@@ -5,7 +5,7 @@ use core::array;
 
 use super::areas::Areas;
 use super::shadowing::{Draw, Mirrored, mirror_pair, pdf_of};
-use crate::block::{BLOCK, DirectionBlock, InstructionSet, Plane, fill, refill, within};
+use crate::block::{BLOCK, DrawBlock, PairBlock, Plane};
 use crate::direction::Pair;
 use crate::distribution::{AnyMixture, Distribution, Smith};
 use crate::real::{Real, Vector};
@@ -20,23 +20,22 @@ struct Answers<T> {
 
 impl<T: Real> Answers<T> {
     #[inline(never)]
-    fn new<S: Areas<T>>(
-        mixture: &AnyMixture<T>,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-    ) -> Self {
+    fn new<S: Areas<T>>(mixture: &AnyMixture<T>, pairs: PairBlock<'_, T>) -> Self {
         let zero = [T::zero(); BLOCK];
         let (mut sum, mut density, mut areas) = ([zero; 3], zero, [zero; 2]);
-        fill(&mut sum, |index| {
-            let sum = Pair::<T>::sum(wi.at(index), wo.at(index));
-            [sum.x(), sum.y(), sum.z()]
-        });
-        mixture.density_along_block(set, DirectionBlock::new(&sum), &mut density);
+        pairs.numbers(
+            &mut sum,
+            #[inline(always)]
+            |index| {
+                let sum = Pair::<T>::sum(pairs.wi(index), pairs.wo(index));
+                [sum.x(), sum.y(), sum.z()]
+            },
+        );
+        mixture.density_along_block(pairs.of(sum.each_ref()), &mut density);
         if let (true, Some(smith)) = (S::NEEDED, mixture.as_smith()) {
-            let [area_i, area_o] = &mut areas;
-            smith.projected_area_block(set, wi, area_i);
-            smith.projected_area_block(set, wo, area_o);
+            for (area, w) in areas.iter_mut().zip(pairs.apart()) {
+                smith.projected_area_block(w, area);
+            }
         }
         Self { density, areas }
     }
@@ -50,24 +49,17 @@ impl<T: Real> Answers<T> {
 #[inline(never)]
 pub(super) fn mirrored<T: Real, S: Areas<T>>(
     mixture: &AnyMixture<T>,
-    set: InstructionSet,
-    [wi, wo]: [DirectionBlock<'_, T>; 2],
+    pairs: PairBlock<'_, T>,
     mirrored: &mut [Plane<T>; 2],
 ) {
-    let answers = Answers::new::<S>(mixture, set, wi, wo);
-    within::<T, _>(
-        set,
+    let answers = Answers::new::<S>(mixture, pairs);
+    pairs.numbers(
+        mirrored,
         #[inline(always)]
-        || {
-            fill(
-                mirrored,
-                #[inline(always)]
-                |index| {
-                    let pair = Pair::new(wi.at(index), wo.at(index));
-                    let visibility = S::visibility_of(answers.areas(index), &pair);
-                    Mirrored::of(&pair, answers.density[index], visibility).planes()
-                },
-            );
+        |index| {
+            let pair = Pair::new(pairs.wi(index), pairs.wo(index));
+            let visibility = S::visibility_of(answers.areas(index), &pair);
+            Mirrored::of(&pair, answers.density[index], visibility).planes()
         },
     );
 }
@@ -75,24 +67,17 @@ pub(super) fn mirrored<T: Real, S: Areas<T>>(
 #[inline(never)]
 pub(super) fn pdf<T: Real, S: Areas<T>>(
     mixture: &AnyMixture<T>,
-    set: InstructionSet,
-    [wi, wo]: [DirectionBlock<'_, T>; 2],
+    pairs: PairBlock<'_, T>,
     densities: &mut Plane<T>,
 ) {
-    let answers = Answers::new::<S>(mixture, set, wi, wo);
-    within::<T, _>(
-        set,
+    let answers = Answers::new::<S>(mixture, pairs);
+    pairs.numbers(
+        array::from_mut(densities),
         #[inline(always)]
-        || {
-            fill(
-                array::from_mut(densities),
-                #[inline(always)]
-                |index| {
-                    let pair = Pair::new(wi.at(index), wo.at(index));
-                    let masking = S::masking_of(answers.areas(index), &pair);
-                    [pdf_of(&pair, answers.density[index], masking)]
-                },
-            );
+        |index| {
+            let pair = Pair::new(pairs.wi(index), pairs.wo(index));
+            let masking = S::masking_of(answers.areas(index), &pair);
+            [pdf_of(&pair, answers.density[index], masking)]
         },
     );
 }
@@ -100,38 +85,33 @@ pub(super) fn pdf<T: Real, S: Areas<T>>(
 #[inline(never)]
 pub(super) fn mirror<T: Real, S: Areas<T>>(
     mixture: &AnyMixture<T>,
-    set: InstructionSet,
-    wo: DirectionBlock<'_, T>,
+    draws: DrawBlock<'_, T>,
     wi_pdf: &mut [Plane<T>; 4],
     weight: &mut [Plane<T>; 2],
 ) {
     // The viewer too: where it is no direction above the surface, the normal stands for it.
     let mut pairs = [[T::zero(); BLOCK]; 6];
     let [h_x, h_y, h_z, _] = &*wi_pdf;
-    fill(&mut pairs, |index| {
-        let h = Vector::new(h_x[index], h_y[index], h_z[index]);
-        let Pair { wi, wo, .. } = mirror_pair::<T>(wo.at(index), h);
-        [wi.x(), wi.y(), wi.z(), wo.x(), wo.y(), wo.z()]
-    });
-    let [a, b, c, d, e, f] = &pairs;
-    let answers =
-        Answers::new::<S>(mixture, set, DirectionBlock([a, b, c]), DirectionBlock([d, e, f]));
-    within::<T, _>(
-        set,
+    draws.numbers(
+        &mut pairs,
         #[inline(always)]
-        || {
-            refill(
-                wi_pdf,
-                weight,
-                #[inline(always)]
-                |index, [x, y, z, _]| {
-                    let pair = mirror_pair::<T>(wo.at(index), Vector::new(x, y, z));
-                    let areas = answers.areas(index);
-                    let (masking, unshadowed) =
-                        (S::masking_of(areas, &pair), S::unshadowed_of(areas, &pair));
-                    Draw::of(&pair, answers.density[index], masking, unshadowed).planes()
-                },
-            );
+        |index| {
+            let h = Vector::new(h_x[index], h_y[index], h_z[index]);
+            let Pair { wi, wo, .. } = mirror_pair::<T>(draws.wo(index), h);
+            [wi.x(), wi.y(), wi.z(), wo.x(), wo.y(), wo.z()]
+        },
+    );
+    let answers = Answers::new::<S>(mixture, draws.of(pairs.each_ref()));
+    draws.changed(
+        wi_pdf,
+        weight,
+        #[inline(always)]
+        |index, [x, y, z, _]| {
+            let pair = mirror_pair::<T>(draws.wo(index), Vector::new(x, y, z));
+            let areas = answers.areas(index);
+            let (masking, unshadowed) =
+                (S::masking_of(areas, &pair), S::unshadowed_of(areas, &pair));
+            Draw::of(&pair, answers.density[index], masking, unshadowed).planes()
         },
     );
 }

@@ -1,4 +1,4 @@
-use crate::block::{ColorBlock, DirectionBlock, InstructionSet, Plane, SampleBlock};
+use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::real::{Color, Lift, Real, lift};
 
@@ -83,35 +83,17 @@ impl<T: Real, M: Brdf<T>> Brdf<T> for Scaled<M, T> {
         Sample { weight: Scaled::limited(sample.weight, self.scale), ..sample }
     }
 
-    fn eval_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        values: &mut ColorBlock<T, M::Color>,
-    ) {
-        self.model.eval_block(set, wi, wo, values);
+    fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, M::Color>) {
+        self.model.eval_block(pairs, values);
         Scaled::limit::<M::Color>(values, self.scale);
     }
 
-    fn pdf_block(
-        &self,
-        set: InstructionSet,
-        wi: DirectionBlock<'_, T>,
-        wo: DirectionBlock<'_, T>,
-        pdf: &mut Plane<T>,
-    ) {
-        self.model.pdf_block(set, wi, wo, pdf);
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
+        self.model.pdf_block(pairs, pdf);
     }
 
-    fn sample_block(
-        &self,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
-        samples: &mut SampleBlock<T, M::Color>,
-    ) {
-        self.model.sample_block(set, wo, u, samples);
+    fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, M::Color>) {
+        self.model.sample_block(draws, samples);
         Scaled::limit::<M::Color>(&mut samples.weight, self.scale);
     }
 }

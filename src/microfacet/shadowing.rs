@@ -4,7 +4,7 @@
 use alloc::boxed::Box;
 use core::array;
 
-use crate::block::{DirectionBlock, InstructionSet, Plane, fill, refill, within};
+use crate::block::{DrawBlock, PairBlock, Plane};
 use crate::direction::{Pair, above_or_normal, above_surface, reflect};
 use crate::distribution::Distribution;
 use crate::real::{Mask, Real, Vector, in_place};
@@ -38,24 +38,15 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     fn sample_visible_block(
         &self,
         distribution: &D,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        u: [&Plane<T>; 2],
+        draws: DrawBlock<'_, T>,
         h: &mut [Plane<T>; 4],
     ) {
-        within::<T, _>(
-            set,
+        draws.numbers(
+            h,
             #[inline(always)]
-            || {
-                fill(
-                    h,
-                    #[inline(always)]
-                    |index| {
-                        let u = [u[0][index], u[1][index]];
-                        let h = self.sample_visible(distribution, wo.at(index), u);
-                        [h.x(), h.y(), h.z(), T::zero()]
-                    },
-                );
+            |index| {
+                let h = self.sample_visible(distribution, draws.wo(index), draws.u(index));
+                [h.x(), h.y(), h.z(), T::zero()]
             },
         );
     }
@@ -87,43 +78,24 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     fn mirrored_block(
         &self,
         distribution: &D,
-        set: InstructionSet,
-        [wi, wo]: [DirectionBlock<'_, T>; 2],
-        mirrored_planes: &mut [Plane<T>; 2],
+        pairs: PairBlock<'_, T>,
+        mirrored: &mut [Plane<T>; 2],
     ) {
-        within::<T, _>(
-            set,
+        pairs.numbers(
+            mirrored,
             #[inline(always)]
-            || {
-                fill(
-                    mirrored_planes,
-                    #[inline(always)]
-                    |index| mirrored(distribution, self, wi.at(index), wo.at(index)).planes(),
-                );
-            },
+            |index| self.mirrored(distribution, pairs.wi(index), pairs.wo(index)).planes(),
         );
     }
 
     /// The density of samples for a block of pairs.
     #[doc(hidden)]
     #[inline(never)]
-    fn pdf_block(
-        &self,
-        distribution: &D,
-        set: InstructionSet,
-        [wi, wo]: [DirectionBlock<'_, T>; 2],
-        densities: &mut Plane<T>,
-    ) {
-        within::<T, _>(
-            set,
+    fn pdf_block(&self, distribution: &D, pairs: PairBlock<'_, T>, densities: &mut Plane<T>) {
+        pairs.numbers(
+            array::from_mut(densities),
             #[inline(always)]
-            || {
-                fill(
-                    array::from_mut(densities),
-                    #[inline(always)]
-                    |index| [pdf(distribution, self, wi.at(index), wo.at(index))],
-                );
-            },
+            |index| [self.pdf(distribution, pairs.wi(index), pairs.wo(index))],
         );
     }
 
@@ -134,24 +106,16 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     fn mirror_block(
         &self,
         distribution: &D,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
+        draws: DrawBlock<'_, T>,
         wi_pdf: &mut [Plane<T>; 4],
         weight: &mut [Plane<T>; 2],
     ) {
-        within::<T, _>(
-            set,
+        draws.changed(
+            wi_pdf,
+            weight,
             #[inline(always)]
-            || {
-                refill(
-                    wi_pdf,
-                    weight,
-                    #[inline(always)]
-                    |index, [x, y, z, _]| {
-                        let h = Vector::new(x, y, z);
-                        mirror(distribution, self, wo.at(index), h).planes()
-                    },
-                );
+            |index, [x, y, z, _]| {
+                self.mirror(distribution, draws.wo(index), Vector::new(x, y, z)).planes()
             },
         );
     }
@@ -310,12 +274,10 @@ macro_rules! forward {
             fn sample_visible_block(
                 &self,
                 distribution: &D,
-                set: InstructionSet,
-                wo: DirectionBlock<'_, T>,
-                u: [&Plane<T>; 2],
+                draws: DrawBlock<'_, T>,
                 h: &mut [Plane<T>; 4],
             ) {
-                (**self).sample_visible_block(distribution, set, wo, u, h);
+                (**self).sample_visible_block(distribution, draws, h);
             }
             #[inline(always)]
             fn mirrored(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> Mirrored<T> {
@@ -332,30 +294,27 @@ macro_rules! forward {
             fn mirrored_block(
                 &self,
                 distribution: &D,
-                set: InstructionSet,
-                pairs: [DirectionBlock<'_, T>; 2],
+                pairs: PairBlock<'_, T>,
                 mirrored: &mut [Plane<T>; 2],
             ) {
-                (**self).mirrored_block(distribution, set, pairs, mirrored);
+                (**self).mirrored_block(distribution, pairs, mirrored);
             }
             fn pdf_block(
                 &self,
                 distribution: &D,
-                set: InstructionSet,
-                pairs: [DirectionBlock<'_, T>; 2],
+                pairs: PairBlock<'_, T>,
                 densities: &mut Plane<T>,
             ) {
-                (**self).pdf_block(distribution, set, pairs, densities);
+                (**self).pdf_block(distribution, pairs, densities);
             }
             fn mirror_block(
                 &self,
                 distribution: &D,
-                set: InstructionSet,
-                wo: DirectionBlock<'_, T>,
+                draws: DrawBlock<'_, T>,
                 wi_pdf: &mut [Plane<T>; 4],
                 weight: &mut [Plane<T>; 2],
             ) {
-                (**self).mirror_block(distribution, set, wo, wi_pdf, weight);
+                (**self).mirror_block(distribution, draws, wi_pdf, weight);
             }
         }
     };

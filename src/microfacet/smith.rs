@@ -1,6 +1,6 @@
 use super::areas::Areas;
 use super::shadowing::Shadowing;
-use crate::block::{DirectionBlock, InstructionSet, Plane};
+use crate::block::{DrawBlock, Plane};
 use crate::direction::Pair;
 use crate::distribution::Smith;
 use crate::real::{Real, lift};
@@ -81,12 +81,10 @@ macro_rules! sampled_by_the_distribution {
         fn sample_visible_block(
             &self,
             distribution: &D,
-            set: InstructionSet,
-            wo: DirectionBlock<'_, T>,
-            u: [&Plane<T>; 2],
+            draws: DrawBlock<'_, T>,
             h: &mut [Plane<T>; 4],
         ) {
-            distribution.sample_visible_block(set, wo, u, h);
+            distribution.sample_visible_block(draws, h);
         }
     };
 }

@@ -2,7 +2,7 @@ use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use super::areas::Areas;
 use super::shadowing::Shadowing;
-use crate::block::{BLOCK, DirectionBlock, InstructionSet, Plane, refill, within};
+use crate::block::{BLOCK, DrawBlock, Plane};
 use crate::direction::{Pair, above_or_normal};
 use crate::distribution::Distribution;
 use crate::real::{Real, Vector, iterate, lift};
@@ -110,39 +110,26 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
     fn sample_visible_block(
         &self,
         distribution: &D,
-        set: InstructionSet,
-        wo: DirectionBlock<'_, T>,
-        [tilt, place]: [&Plane<T>; 2],
+        draws: DrawBlock<'_, T>,
         h: &mut [Plane<T>; 4],
     ) {
-        distribution.sample_block(set, [tilt, &[T::lit(EIGHTH); BLOCK]], h);
-        visible_block(set, wo, place, h);
+        let [_, _, _, tilt, _] = draws.planes;
+        distribution.sample_block(draws.of([tilt, &[T::lit(EIGHTH); BLOCK]]), h);
+        visible_block(draws, h);
     }
 }
 
 /// The second stage of a block of visible normals: it is the same for all distributions.
 #[inline(never)]
-fn visible_block<T: Real>(
-    set: InstructionSet,
-    wo: DirectionBlock<'_, T>,
-    place: &Plane<T>,
-    h: &mut [Plane<T>; 4],
-) {
-    within::<T, _>(
-        set,
+fn visible_block<T: Real>(draws: DrawBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+    draws.changed(
+        h,
+        &mut [],
         #[inline(always)]
-        || {
-            refill(
-                h,
-                &mut [],
-                #[inline(always)]
-                |index, [x, y, z, _]| {
-                    let [place, _] = uniform([place[index]; 2]);
-                    let facet = Vector::new(x, y, z);
-                    let h = visible_of_tilt::<T>(facet, wo.at(index), place);
-                    ([h.x(), h.y(), h.z(), T::zero()], [])
-                },
-            );
+        |index, [x, y, z, _]| {
+            let [_, place] = uniform(draws.u(index));
+            let h = visible_of_tilt::<T>(Vector::new(x, y, z), draws.wo(index), place);
+            ([h.x(), h.y(), h.z(), T::zero()], [])
         },
     );
 }
