@@ -90,15 +90,31 @@ impl Parameter {
 }
 
 impl Kind {
-    /// The range of a number at a place in the list, if the list may be that long.
+    /// How many numbers the value has at most: 0 if it has none.
     #[must_use]
-    pub fn range(self, index: usize) -> Option<Range> {
+    pub const fn most(self) -> usize {
         match self {
-            Self::Number(range) => (index == 0).then_some(range),
-            Self::Color(range) => (index < 3).then_some(range),
-            Self::Roughness(range) => (index < 2).then_some(range),
-            Self::Index(eta, k) => [eta, k].get(index).copied(),
-            Self::Flag | Self::Word(_) | Self::Text | Self::Part(_) => None,
+            Self::Number(_) => 1,
+            Self::Roughness(_) | Self::Index(..) => 2,
+            Self::Color(_) => 3,
+            Self::Flag | Self::Word(_) | Self::Text | Self::Part(_) => 0,
+        }
+    }
+
+    /// The range of one of the numbers.
+    #[must_use]
+    pub const fn range(self, index: usize) -> Option<Range> {
+        match self {
+            Self::Index(_, k) if index == 1 => Some(k),
+            Self::Number(range)
+            | Self::Color(range)
+            | Self::Roughness(range)
+            | Self::Index(range, _)
+                if index < self.most() =>
+            {
+                Some(range)
+            }
+            _ => None,
         }
     }
 }
