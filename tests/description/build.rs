@@ -147,7 +147,7 @@ fn every_metal_can_be_named() {
         for name in [material.key(), material.name()] {
             let text = serde_json::json!({ "metal": name }).to_string();
             let description: FresnelDescription = serde_json::from_str(&text).expect(&text);
-            assert_eq!(description, FresnelDescription::Metal(name.into()));
+            assert_eq!(serde_json::to_string(&description).expect(&text), text);
             assert!(description.build::<f32>().is_ok());
         }
         count += 1;
