@@ -50,7 +50,9 @@ pub use distribution::{
 };
 pub use error::{ParameterError, Range};
 pub use frame::Frame;
-pub use fresnel::{AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
+pub use fresnel::{
+    AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall, Schlick,
+};
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Scaled, Shadowing,

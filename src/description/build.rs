@@ -6,6 +6,7 @@ use super::error::{DescriptionError, Problem};
 use super::path::Path;
 use super::value::{Described, Numbers, Value};
 use crate::error::ParameterError;
+use crate::parameter::Preset;
 use crate::real::{Color, Real, Vector};
 
 /// A form, or a term of its list, that is built in a number.
@@ -79,6 +80,21 @@ impl<T: Real> Build<'_, T> {
 
     pub(super) fn flag(&self, key: &str) -> bool {
         matches!(self.described.get(key), Some((_, Value::Flag(true))))
+    }
+
+    /// Whether all numbers of a parameter are its default.
+    pub(super) fn is_default(&self, key: &str) -> bool {
+        match self.described.get(key) {
+            Some((parameter, Value::Numbers(numbers))) => {
+                let is = |number: &f64| parameter.default == Some(Preset::Number(*number));
+                match numbers {
+                    Numbers::One(number) => is(number),
+                    Numbers::Two(numbers) => numbers.iter().all(is),
+                    Numbers::Three(numbers) => numbers.iter().all(is),
+                }
+            }
+            _ => false,
+        }
     }
 
     /// A part, by what makes it of its form.

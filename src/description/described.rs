@@ -36,7 +36,8 @@ macro_rules! description {
             /// numbers with derivatives, or other values for some of them.
             ///
             /// Every number comes by, also a default and each channel of a colour in a list; one
-            /// for all channels comes once. The indices of a metal are no numbers of a description.
+            /// for all channels comes once. The indices of a metal are no numbers of a description,
+            /// and a Schlick term whose `f90` and `exponent` are the defaults has neither.
             ///
             /// ```
             /// use brdf::Brdf;

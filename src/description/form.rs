@@ -2,7 +2,7 @@
 
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
-use crate::fresnel::{Conductor, Constant, Cook, Dielectric, Hall, Schlick};
+use crate::fresnel::{Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall};
 use crate::glossy::{BlinnPhong, Phong, SchlickPower};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 
@@ -166,7 +166,7 @@ static FRESNEL_FORMS: [Form; 7] = [
     form!(Fresnel "dielectric": Keys <Dielectric>::PARAMETERS),
     form!(Fresnel "conductor": Keys <Conductor>::PARAMETERS),
     form!(Fresnel "metal": Value &METAL),
-    form!(Fresnel "schlick": Keys <Schlick>::PARAMETERS),
+    form!(Fresnel "schlick": Keys <GeneralSchlick>::PARAMETERS),
     form!(Fresnel "hall": Keys <Hall>::PARAMETERS),
     form!(Fresnel "cook": Keys <Cook>::PARAMETERS),
 ];

@@ -5,7 +5,9 @@ use alloc::string::ToString;
 use super::build::Build;
 use super::error::{DescriptionError, Problem};
 use super::metal::metal;
-use crate::fresnel::{AnyFresnel, Conductor, Constant, Cook, Dielectric, Hall, Schlick};
+use crate::fresnel::{
+    AnyFresnel, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Schlick,
+};
 use crate::real::{Real, Vector};
 
 pub(super) fn fresnel<T: Real>(at: &Build<'_, T>) -> Result<AnyFresnel<T>, DescriptionError> {
@@ -21,7 +23,13 @@ pub(super) fn fresnel<T: Real>(at: &Build<'_, T>) -> Result<AnyFresnel<T>, Descr
                 .map_err(|error| at.path.error(Problem::Metal(error.to_string())))?
                 .into()
         }
-        "schlick" => at.made(Schlick::new(at.color("f0")?))?.into(),
+        "schlick" if at.is_default("f90") && at.is_default("exponent") => {
+            at.made(Schlick::new(at.color("f0")?))?.into()
+        }
+        "schlick" => {
+            let (f0, f90) = (at.color("f0")?, at.color("f90")?);
+            at.made(GeneralSchlick::new(f0, f90, at.number("exponent")?))?.into()
+        }
         "hall" => {
             let f0 = at.color("f0")?;
             match at.one_or_two("ior")? {

@@ -29,7 +29,7 @@
 //! | `{"dielectric": {"ior": C}}` | relative index, transmitted over incident; below 1 is from inside |
 //! | `{"conductor": {"eta": C, "k": C}}` | |
 //! | `{"metal": "Au"}` | measured index at 650, 550 and 450 nm, by symbol or name (feature `materials`); `Ta` and `Zn` are accepted although their sets are not for colour |
-//! | `{"schlick": {"f0": C}}` | |
+//! | `{"schlick": {"f0": C, "f90": 1, "exponent": 5}}` | reflectance at normal and at grazing incidence |
 //! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index; or of a conductor's, `[eta, k]` |
 //! | `{"cook": {"f0": C, "light": C, "ior": 1.5}}` | likewise; contains the light |
 //!

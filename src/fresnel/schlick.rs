@@ -17,7 +17,8 @@ model! {
     /// # Energy
     /// Reciprocal. Conserving: F ≤ 1. Falls monotonically from 1 at grazing to F₀, so it does not
     /// vanish for F₀ = 0 (no surface). Seen from inside a dense medium it needs the cosine on the thin
-    /// side, and 1 in total reflection; use [`Dielectric`](super::Dielectric) there.
+    /// side, and 1 in total reflection; use [`Dielectric`](super::Dielectric) there. Another colour at
+    /// grazing and another exponent has [`GeneralSchlick`](super::GeneralSchlick).
     ///
     /// # Accuracy
     /// The original claims an error below 1 %. That holds for the mean absolute error only, for

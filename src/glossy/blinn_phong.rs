@@ -119,7 +119,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
             .only_where(drawn.and(pdf.gt(zero)))
     }
 
-    /// The integral over half vectors, ring by ring, see [`Ring`].
+    /// The integral over half vectors, ring by ring.
     fn albedo(&self, wo: T::Vec3) -> C {
         let (zero, half, one, pi) = (T::zero(), T::lit(0.5), T::one(), T::lit(PI));
         let w = unit_viewer::<T>(wo);

@@ -6,8 +6,8 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use brdf::{
     Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong, Color, Conductor,
     Constant, Cook, CookTorrance, CookTorrance1982Printed, Dielectric, Distribution, Fresnel,
-    Gaussian, Ggx, Hall, Lambert, Mixture, OrenNayar, ParameterError, Phong, Real, Schlick,
-    SchlickPower, SmithCorrelated, SmithSeparable, Vector, WeightedSum, from_spherical,
+    Gaussian, GeneralSchlick, Ggx, Hall, Lambert, Mixture, OrenNayar, ParameterError, Phong, Real,
+    Schlick, SchlickPower, SmithCorrelated, SmithSeparable, Vector, WeightedSum, from_spherical,
 };
 
 /// Pairs of directions: over all the hemisphere, mirrored, at grazing, and below.
@@ -96,6 +96,18 @@ where
     same_fresnel::<T>(
         r#"{"schlick": {"f0": [0.9, 0.5, 0.1]}}"#,
         Schlick::new(rgb::<T>(0.9, 0.5, 0.1))?,
+    );
+    same_fresnel::<T>(
+        r#"{"schlick": {"f0": [0.9, 0.5, 0.1], "f90": [1, 1, 1], "exponent": 5}}"#,
+        Schlick::new(rgb::<T>(0.9, 0.5, 0.1))?,
+    );
+    same_fresnel::<T>(
+        r#"{"schlick": {"f0": 0.04, "f90": [0.9, 0.5, 0.1], "exponent": 3.5}}"#,
+        GeneralSchlick::new(gray::<T>(0.04), rgb::<T>(0.9, 0.5, 0.1), T::lit(3.5))?,
+    );
+    same_fresnel::<T>(
+        r#"{"schlick": {"f0": 0.04, "exponent": 3.5}}"#,
+        GeneralSchlick::new(gray::<T>(0.04), gray::<T>(1.0), T::lit(3.5))?,
     );
     same_fresnel::<T>(
         r#"{"hall": {"f0": [0.9, 0.5, 0.1], "ior": 1.3}}"#,

@@ -6,7 +6,7 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub(crate) const FRESNEL: [&str; 13] = [
+pub(crate) const FRESNEL: [&str; 14] = [
     r#"{"constant":0.5}"#,
     r#"{"constant":[0.25,0.5,1]}"#,
     r#"{"dielectric":{"ior":1.5}}"#,
@@ -14,6 +14,7 @@ pub(crate) const FRESNEL: [&str; 13] = [
     r#"{"conductor":{"eta":[0.14,0.43,1.38],"k":[3.7,2.5,1.9]}}"#,
     r#"{"metal":"Au"}"#,
     r#"{"schlick":{"f0":[0.9,0.6,0.3]}}"#,
+    r#"{"schlick":{"f0":0.04,"f90":[0.9,0.6,0.3],"exponent":3}}"#,
     r#"{"hall":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"hall":{"f0":0.5,"ior":1.3}}"#,
     r#"{"hall":{"f0":[0.95,0.64,0.54],"ior":[1.02,2.577]}}"#,
@@ -122,6 +123,10 @@ fn absent_keys_have_their_defaults() {
         (
             r#"{"oren_nayar":{"albedo":1,"sigma":0.5}}"#,
             r#"{"oren_nayar":{"albedo":1,"sigma":0.5,"interreflection":false}}"#,
+        ),
+        (
+            r#"{"torrance_sparrow_1967":{"c":1,"fresnel":{"schlick":{"f0":1}}}}"#,
+            r#"{"torrance_sparrow_1967":{"c":1,"fresnel":{"schlick":{"f0":1,"f90":1,"exponent":5}}}}"#,
         ),
         (
             r#"{"cook_torrance":{"distribution":{"ggx":{"roughness":1}},"fresnel":{"hall":{"f0":1}}}}"#,

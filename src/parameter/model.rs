@@ -1,140 +1,46 @@
-//! The table of a model's parameters: what its type, constructors and descriptions follow from.
+//! How a model is declared.
 
-use crate::error::Range;
-
-/// A parameter of a model, as the table of the model has it.
+/// Declares a model by the table of its parameters, which stands in the middle of its documentation.
 ///
+/// ```text
+/// model! {
+///     /// What it is and the formula.
+///     parameters {
+///         albedo: C, UNIT, "ρ", "fraction of the light that is reflected";
+///     }
+///     flags {
+///         normalized: true, "what it chooses";
+///     }
+///     constants {
+///         let twice = …;
+///         /// A.
+///         a: T = …;
+///     }
+///     /// The rest of the documentation.
+///     pub struct Name<C = glam::Vec3, T = f32>;
+///
+///     /// A constructor.
+///     pub fn new(normalized: true);
+/// }
 /// ```
-/// use brdf::OrenNayar;
-/// use brdf::parameter::Kind;
 ///
-/// let sigma = &<OrenNayar>::PARAMETERS[1];
-/// assert_eq!((sigma.name, sigma.symbol), ("sigma", "σ"));
-/// assert!(matches!(sigma.kind, Kind::Number(range) if range.lower == 0.0));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub struct Parameter {
-    /// The name of the argument of constructors and of the key of descriptions.
-    pub name: &'static str,
-    /// The symbol in the formula, which may be empty.
-    pub symbol: &'static str,
-    /// What it is.
-    pub meaning: &'static str,
-    /// What values it has.
-    pub kind: Kind,
-    /// The value in a description without the key. Without a default the key must be there.
-    pub default: Option<Preset>,
-}
-
-/// The values that a parameter may have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Kind {
-    /// A number.
-    Number(Range),
-    /// A number for all channels, or one for each.
-    Color(Range),
-    /// A number for all directions, or one along the tangent and one along the bitangent.
-    Roughness(Range),
-    /// A refractive index: the real part, or the real and the imaginary part.
-    Index(Range, Range),
-    /// True or false.
-    Flag,
-    /// One of a few words.
-    Word(&'static [&'static str]),
-    /// Any text.
-    Text,
-    /// A model, Fresnel term or distribution.
-    Part(Part),
-}
-
-/// What a model consists of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Part {
-    /// A model of reflection.
-    Brdf,
-    /// A Fresnel term.
-    Fresnel,
-    /// A distribution of facet normals.
-    Distribution,
-}
-
-/// The value of a parameter that is not given.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Preset {
-    /// Of a number, or of all numbers of a colour, roughness or index.
-    Number(f64),
-    /// Of a flag.
-    Flag(bool),
-    /// Of a word.
-    Word(&'static str),
-}
-
-impl Parameter {
-    pub(crate) const fn new(
-        name: &'static str,
-        symbol: &'static str,
-        meaning: &'static str,
-        kind: Kind,
-    ) -> Self {
-        Self { name, symbol, meaning, kind, default: None }
-    }
-
-    /// This parameter with a value that it has where it is not given.
-    pub(crate) const fn or(self, default: Preset) -> Self {
-        Self { default: Some(default), ..self }
-    }
-}
-
-impl Kind {
-    /// How many numbers the value has at most: 0 if it has none.
-    #[must_use]
-    pub const fn most(self) -> usize {
-        match self {
-            Self::Number(_) => 1,
-            Self::Roughness(_) | Self::Index(..) => 2,
-            Self::Color(_) => 3,
-            Self::Flag | Self::Word(_) | Self::Text | Self::Part(_) => 0,
-        }
-    }
-
-    /// The range of one of the numbers.
-    #[must_use]
-    pub const fn range(self, index: usize) -> Option<Range> {
-        match self {
-            Self::Index(_, k) if index == 1 => Some(k),
-            Self::Number(range)
-            | Self::Color(range)
-            | Self::Roughness(range)
-            | Self::Index(range, _)
-                if index < self.most() =>
-            {
-                Some(range)
-            }
-            _ => None,
-        }
-    }
-}
-
-/// Declares a model by the table of its parameters.
+/// A row of the table has the name of a parameter, its type (`C` for a colour, `T` for a number,
+/// `Roughness<T>`), its range, perhaps `= …`, which descriptions take where it is not given, its symbol
+/// and its meaning. Flags choose between forms of the model. Constants are what formulas need of the
+/// parameters: they are computed once, in their order, behind the checks of the ranges, and see
+/// the parameters, the flags and each other.
 ///
-/// The table has a row for each parameter: what kind of value it has (a `color`, a `number`, a
-/// `roughness`), its name, its range, its symbol and its meaning. `flags` choose between forms of the
-/// model. `constants` are what formulas need and what is computed once, in the order in which they
-/// stand, behind the checks of the ranges; they see the parameters, the flags and each other.
-///
-/// It writes the type, whose documentation has the rows, `PARAMETERS`, a getter for each parameter
-/// with the range's check in front of each constructor, and [`Lift`](crate::Lift). A constructor
-/// takes all parameters and says what the flags are. A model that none fits leaves them out and has
-/// its own.
+/// What follows is the type, its `PARAMETERS`, a getter for each of them, [`Lift`](crate::Lift), and
+/// the constructors: they take all parameters and say what the flags are. A model that no such
+/// constructor fits leaves them out and has its own.
 macro_rules! model {
     (
         $(#[$formula:meta])*
         parameters {
-            $($parameter:ident: $type:ident $(<$of:ident>)?, $range:ident, $symbol:literal, $meaning:literal;)+
+            $(
+                $parameter:ident: $type:ident $(<$of:ident>)?, $range:ident $(= $preset:literal)?,
+                $symbol:literal, $meaning:literal;
+            )+
         }
         $(flags { $($flag:ident: $default:literal, $flag_meaning:literal;)+ })?
         $(constants {
@@ -153,7 +59,7 @@ macro_rules! model {
         /// |---|---|---|---|
         $(#[doc = concat!(
             "| ", $symbol, " | `", stringify!($parameter), "` | ", $meaning, " | ",
-            $crate::error::shown!($range), " |"
+            $crate::error::shown!($range), $(", ", stringify!($preset), " by default",)? " |"
         )])+
         $($(#[doc = concat!(
             "| | `", stringify!($flag), "` | ", $flag_meaning, " | ", stringify!($default),
@@ -170,7 +76,7 @@ macro_rules! model {
             /// The table of the parameters.
             pub const PARAMETERS: &'static [$crate::Parameter] = &[
                 $($crate::parameter::model!(
-                    @row $parameter: $type, $range, $symbol, $meaning
+                    @row $parameter: $type, $range $(= $preset)?, $symbol, $meaning
                 ),)+
                 $($($crate::Parameter::new(
                     stringify!($flag), "", $flag_meaning, $crate::parameter::Kind::Flag,
@@ -190,11 +96,15 @@ macro_rules! model {
         );
     };
 
-    (@row $parameter:ident: $type:ident, $range:ident, $symbol:literal, $meaning:literal) => {
+    (
+        @row $parameter:ident: $type:ident, $range:ident $(= $preset:literal)?,
+        $symbol:literal, $meaning:literal
+    ) => {
         $crate::Parameter::new(
             stringify!($parameter), $symbol, $meaning,
             $crate::parameter::model!(@kind $type)($crate::error::range::$range),
         )
+        $(.or($crate::parameter::Preset::Number($preset)))?
     };
     (@kind C) => { $crate::parameter::Kind::Color };
     (@kind T) => { $crate::parameter::Kind::Number };
