@@ -156,26 +156,48 @@ impl Range {
     }
 }
 
-/// Ranges of parameters that several models share.
-///
-/// The ends are where the squares and fourth powers in the formulas still fit an `f32`.
-pub(crate) mod range {
-    use super::Range;
+/// Declares the ranges of parameters, and how documentation shows them.
+macro_rules! ranges {
+    ($($(#[$doc:meta])+ $name:ident = $lower:expr, $upper:expr, $shown:literal;)+) => {
+        /// Ranges of parameters.
+        ///
+        /// The ends are where the squares and fourth powers in the formulas still fit an `f32`.
+        pub(crate) mod range {
+            use super::Range;
 
+            $($(#[$doc])+ pub(crate) const $name: Range = Range::new($lower, $upper);)+
+        }
+
+        macro_rules! shown {
+            $(($name) => { $shown };)+
+        }
+        pub(crate) use shown;
+    };
+}
+
+ranges! {
     /// Albedo, reflectance.
-    pub(crate) const UNIT: Range = Range::new(0.0, 1.0);
+    UNIT = 0.0, 1.0, "0 … 1";
     /// Roughness: the root-mean-square slope or its like.
-    pub(crate) const ROUGHNESS: Range = Range::new(1e-8, 1e4);
-    /// Standard deviation of the tilt of facets, radians: up to π/2.
-    pub(crate) const SIGMA: Range = Range::new(0.0, core::f64::consts::FRAC_PI_2);
+    ROUGHNESS = 1e-8, 1e4, "10⁻⁸ … 10⁴";
+    /// Standard deviation of the tilt of facets, radians.
+    SIGMA = 0.0, core::f64::consts::FRAC_PI_2, "0 … π/2";
     /// Weight of a term of a sum.
-    pub(crate) const WEIGHT: Range = Range::new(0.0, 1e10);
+    WEIGHT = 0.0, 1e10, "0 … 10¹⁰";
     /// Sum of the weights, averaged over the channels: what probabilities are made from.
-    pub(crate) const TOTAL_WEIGHT: Range = Range::new(1e-30, 1e30);
+    TOTAL_WEIGHT = 1e-30, 1e30, "10⁻³⁰ … 10³⁰";
+    /// Colour of a light: its products with a reflectance stay far from overflow.
+    LIGHT = 0.0, 1e10, "0 … 10¹⁰";
     /// Exponent of a power of a cosine.
-    pub(crate) const EXPONENT: Range = Range::new(0.0, 1e8);
+    EXPONENT = 0.0, 1e8, "0 … 10⁸";
     /// Real part of a refractive index.
-    pub(crate) const ETA: Range = Range::new(1e-4, 1e4);
+    ETA = 1e-4, 1e4, "10⁻⁴ … 10⁴";
     /// Imaginary part of a refractive index.
-    pub(crate) const K: Range = Range::new(0.0, 1e4);
+    K = 0.0, 1e4, "0 … 10⁴";
+    /// Exponent of the approach to the edge of a Fresnel term.
+    EDGE_EXPONENT = 1e-2, 1e4, "10⁻² … 10⁴";
+    /// Angle at which the distributions of 1977 have fallen to one half, radians.
+    HALF_WIDTH = 2e-4, 1.57, "2·10⁻⁴ … 1.57";
+    /// Sharpness of the distribution of 1967, 1/degree.
+    SHARPNESS_1967 = 1e-5, 1e5, "10⁻⁵ … 10⁵";
 }

@@ -30,6 +30,7 @@ pub mod guide;
 #[cfg(feature = "materials")]
 pub mod materials;
 pub mod microfacet;
+pub mod parameter;
 pub mod quadrature;
 mod real;
 mod sampling;
@@ -49,11 +50,14 @@ pub use distribution::{
 };
 pub use error::{ParameterError, Range};
 pub use frame::Frame;
-pub use fresnel::{AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
+pub use fresnel::{
+    AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall, Schlick,
+};
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Scaled, Shadowing,
     SmithCorrelated, SmithSeparable, VCavity,
 };
+pub use parameter::Parameter;
 pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

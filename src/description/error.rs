@@ -39,6 +39,8 @@ pub enum Problem {
     TooDeep,
     /// More terms of sums and mixtures than are allowed altogether.
     TooManyTerms,
+    /// A form that is in the table of forms and that nothing builds.
+    Unknown,
 }
 
 impl DescriptionError {
@@ -84,6 +86,7 @@ impl fmt::Display for Problem {
                 "Smith's shadowing is known for beckmann, ggx and mixtures of them; `v_cavity` \
                  fits every distribution",
             ),
+            Self::Unknown => f.write_str("this form cannot be built"),
             Self::TooDeep => {
                 write!(f, "at most {MAX_DEPTH} sums and mixtures may stand inside each other")
             }

@@ -1,237 +1,228 @@
-//! A form of description is written once, as a list of variants and keys; what it is as a type and
-//! how it is read follow from that.
+//! The table of all forms of descriptions: what can be read, written and built.
 
-/// Declares an enum whose variants are the forms of a description.
-macro_rules! forms {
-    (
-        $(#[$meta:meta])*
-        pub enum $name:ident as $what:literal {
-            $(
-                $(#[$variant_meta:meta])*
-                $tag:literal => $variant:ident
-                $(( $inner:ty ))?
-                $({
-                    $( $(#[$field_meta:meta])* $field:ident: $type:ty $(= $default:expr)? ),+ $(,)?
-                })?
-            ),+ $(,)?
-        }
-    ) => {
-        $(#[$meta])*
-        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-        #[non_exhaustive]
-        pub enum $name {
-            $(
-                $(#[$variant_meta])*
-                #[serde(rename = $tag)]
-                $variant
-                $(( $inner ))?
-                $({ $( $(#[$field_meta])* $field: $type ),+ })?
-            ),+
-        }
+use crate::diffuse::{Lambert, OrenNayar};
+use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
+use crate::fresnel::{Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall};
+use crate::glossy::{BlinnPhong, Phong, SchlickPower};
+use crate::parameter::{Kind, Parameter, Part, Preset, model};
 
-        impl<'de> $crate::description::parse::Parse<'de> for $name {
-            fn parse<D: serde::Deserializer<'de>>(
-                place: &$crate::description::place::Place<'_>,
-                from: D,
-            ) -> Result<Self, D::Error> {
-                use core::fmt;
-                use serde::de::{EnumAccess, VariantAccess, Visitor};
-                use $crate::description::parse::Progress;
-                use $crate::description::place::Place;
-
-                const WORDS: &[&str] = &[$($tag),+];
-                struct Forms<'a>(&'a Place<'a>, &'a Progress);
-                impl<'de> Visitor<'de> for Forms<'_> {
-                    type Value = $name;
-                    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                        self.1.tell();
-                        f.write_str($what)
-                    }
-                    fn visit_enum<A: EnumAccess<'de>>(self, form: A) -> Result<$name, A::Error> {
-                        let (tag, content) = form.variant_seed($crate::description::parse::Word {
-                            place: self.0,
-                            words: WORDS,
-                        })?;
-                        self.1.named(tag);
-                        let place = self.0.key(tag);
-                        let result = match tag {
-                            $( $tag => $crate::description::form::content!(
-                                content, place, [$name::$variant]
-                                $(( $inner ))?
-                                $({ $( $field: $type $(= $default)? ),+ })?
-                            ), )+
-                            _ => Err(serde::de::Error::unknown_variant(tag, WORDS)),
-                        };
-                        result.inspect_err(|_| place.note_failure())
-                    }
-                }
-                let progress = Progress::default();
-                let read = from.deserialize_enum(stringify!($name), WORDS, Forms(place, &progress));
-                progress.explain(place, $what, read)
-            }
-        }
-    };
+/// A form of description: its name and what stands behind it.
+///
+/// ```
+/// use brdf::description::{Content, forms};
+/// use brdf::parameter::Part;
+///
+/// let (_, phong) = forms().find(|(_, form)| form.name() == "phong").unwrap();
+/// let Content::Keys(parameters) = phong.content() else { panic!() };
+/// let names: Vec<_> = parameters.iter().map(|parameter| parameter.name).collect();
+/// assert_eq!(names, ["specular", "exponent", "normalized"]);
+/// assert!(forms().any(|(part, form)| part == Part::Fresnel && form.name() == "metal"));
+/// ```
+#[derive(Debug, PartialEq)]
+pub struct Form {
+    name: &'static str,
+    part: Part,
+    content: Content,
+    /// The names of the keys.
+    pub(super) keys: &'static [&'static str],
 }
 
-/// Declares a struct that is a part of a description.
-macro_rules! part {
-    (
-        $(#[$meta:meta])*
-        pub struct $name:ident {
-            $( $(#[$field_meta:meta])* pub $field:ident: $type:ty ),+ $(,)?
-        }
-    ) => {
-        $(#[$meta])*
-        #[derive(Clone, Debug, PartialEq, serde::Serialize)]
-        pub struct $name {
-            $( $(#[$field_meta])* pub $field: $type ),+
-        }
-
-        impl<'de> $crate::description::parse::Parse<'de> for $name {
-            fn parse<D: serde::Deserializer<'de>>(
-                place: &$crate::description::place::Place<'_>,
-                from: D,
-            ) -> Result<Self, D::Error> {
-                $crate::description::form::keys!([$name] as $name { $( $field: $type ),+ });
-                let progress = $crate::description::parse::Progress::default();
-                let read = from.deserialize_struct(stringify!($name), KEYS, Keys(place, &progress));
-                progress.explain(place, EXPECTED, read)
-            }
-        }
-    };
+/// What stands behind the name of a form.
+#[derive(Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Content {
+    /// An object with a key for each parameter.
+    Keys(&'static [Parameter]),
+    /// The value of the one parameter, without a key.
+    Value(&'static Parameter),
+    /// A list of terms, which are objects with a key for each parameter.
+    Terms(&'static [Parameter]),
 }
 
-/// Declares an enum of bare words.
-macro_rules! words {
-    ($(#[$meta:meta])* pub enum $name:ident {
-        $( $(#[$word_meta:meta])* $word:literal => $variant:ident ),+ $(,)?
-    }) => {
-        $(#[$meta])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-        #[non_exhaustive]
-        pub enum $name {
-            $( $(#[$word_meta])* #[serde(rename = $word)] $variant ),+
-        }
+impl Form {
+    /// The name, which is the key or the variant.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
 
-        impl<'de> $crate::description::parse::Parse<'de> for $name {
-            fn parse<D: serde::Deserializer<'de>>(
-                place: &$crate::description::place::Place<'_>,
-                from: D,
-            ) -> Result<Self, D::Error> {
-                const WORDS: &[&str] = &[$($word),+];
-                const EXPECTED: &str = concat!("one of", $( " `", $word, "`" ),+);
-                struct Words<'a>(
-                    &'a $crate::description::place::Place<'a>,
-                    &'a $crate::description::parse::Progress,
-                );
-                impl<'de> serde::de::Visitor<'de> for Words<'_> {
-                    type Value = $name;
-                    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                        self.1.tell();
-                        f.write_str(EXPECTED)
-                    }
-                    fn visit_enum<A: serde::de::EnumAccess<'de>>(
-                        self,
-                        word: A,
-                    ) -> Result<$name, A::Error> {
-                        let (word, content) =
-                            word.variant_seed($crate::description::parse::Word {
-                                place: self.0,
-                                words: WORDS,
-                            })?;
-                        serde::de::VariantAccess::unit_variant(content)?;
-                        match word {
-                            $( $word => Ok($name::$variant), )+
-                            _ => Err(serde::de::Error::unknown_variant(word, WORDS)),
-                        }
-                    }
-                }
-                let progress = $crate::description::parse::Progress::default();
-                let read = from.deserialize_enum(stringify!($name), WORDS, Words(place, &progress));
-                progress.explain(place, EXPECTED, read)
-            }
+    /// What stands behind the name.
+    #[must_use]
+    pub const fn content(&self) -> &Content {
+        &self.content
+    }
+
+    pub(super) const fn room(&self) -> &'static Room {
+        Room::of(self.part)
+    }
+
+    /// Whether a value stands behind the name, without a key.
+    pub(super) const fn is_value(&self) -> bool {
+        matches!(self.content, Content::Value(_))
+    }
+
+    /// The parameters of the value behind the name, or of each term.
+    pub(super) const fn parameters(&self) -> &'static [Parameter] {
+        match self.content {
+            Content::Keys(parameters) | Content::Terms(parameters) => parameters,
+            Content::Value(parameter) => core::slice::from_ref(parameter),
         }
-    };
+    }
 }
 
-/// What stands behind the name of a form: another value, or an object with keys.
-macro_rules! content {
-    ($content:ident, $place:ident, [$($constructor:tt)+] ($inner:ty)) => {
-        $content
-            .newtype_variant_seed($crate::description::parse::At::<$inner>::new(&$place))
-            .map($($constructor)+)
+/// All forms, with what they describe.
+pub fn forms() -> impl Iterator<Item = (Part, &'static Form)> {
+    [Part::Brdf, Part::Fresnel, Part::Distribution]
+        .into_iter()
+        .flat_map(|part| Room::of(part).forms.iter().map(move |form| (part, form)))
+}
+
+/// The forms of one part, and what they are called together.
+#[derive(Debug)]
+pub(super) struct Room {
+    /// As a type, and the type of the terms of a list.
+    pub(super) name: &'static str,
+    pub(super) term: &'static str,
+    /// What an error expects where none of the forms stands.
+    pub(super) expected: &'static str,
+    pub(super) forms: &'static [Form],
+    pub(super) names: &'static [&'static str],
+}
+
+impl Room {
+    pub(super) const fn of(part: Part) -> &'static Self {
+        match part {
+            Part::Brdf => &BRDF,
+            Part::Fresnel => &FRESNEL,
+            Part::Distribution => &DISTRIBUTION,
+        }
+    }
+}
+
+static BRDF: Room = Room {
+    name: "BrdfDescription",
+    term: "WeightedBrdf",
+    expected: "a model, such as {\"lambert\": {\"albedo\": 0.5}}",
+    forms: &BRDF_FORMS,
+    names: &names(&BRDF_FORMS),
+};
+
+static FRESNEL: Room = Room {
+    name: "FresnelDescription",
+    term: "",
+    expected: "a Fresnel term, such as {\"schlick\": {\"f0\": 0.04}}",
+    forms: &FRESNEL_FORMS,
+    names: &names(&FRESNEL_FORMS),
+};
+
+static DISTRIBUTION: Room = Room {
+    name: "DistributionDescription",
+    term: "WeightedDistribution",
+    expected: "a distribution, such as {\"ggx\": {\"roughness\": 0.3}}",
+    forms: &DISTRIBUTION_FORMS,
+    names: &names(&DISTRIBUTION_FORMS),
+};
+
+/// A form of a part, whose content is of one of the kinds.
+macro_rules! form {
+    ($part:ident $name:literal: Value $parameter:expr) => {
+        Form { name: $name, part: Part::$part, content: Content::Value($parameter), keys: &[] }
     };
-    ($content:ident, $place:ident, [$name:ident :: $variant:ident] { $($keys:tt)+ }) => {{
-        $crate::description::form::keys!([$name::$variant] as $name { $($keys)+ });
-        let progress = $crate::description::parse::Progress::default();
-        let read = $content.struct_variant(KEYS, Keys(&$place, &progress));
-        progress.explain(&$place, EXPECTED, read)
+    ($part:ident $name:literal: $content:ident $parameters:expr) => {{
+        const PARAMETERS: &[Parameter] = $parameters;
+        const KEYS: [&str; PARAMETERS.len()] = keys(PARAMETERS);
+        Form { name: $name, part: Part::$part, content: Content::$content(PARAMETERS), keys: &KEYS }
     }};
 }
 
-/// A visitor `Keys` of an object with the given `KEYS`.
-macro_rules! keys {
-    (
-        [$($constructor:tt)+] as $value:ident
-        { $( $field:ident: $type:ty $(= $default:expr)? ),+ }
-    ) => {
-        const KEYS: &[&str] = &[$(stringify!($field)),+];
-        const EXPECTED: &str =
-            concat!("an object with the keys", $( " `", stringify!($field), "`" ),+);
-        struct Keys<'a>(
-            &'a $crate::description::place::Place<'a>,
-            &'a $crate::description::parse::Progress,
-        );
-        impl<'de> serde::de::Visitor<'de> for Keys<'_> {
-            type Value = $value;
-            fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-                self.1.tell();
-                f.write_str(EXPECTED)
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(
-                self,
-                mut map: A,
-            ) -> Result<$value, A::Error> {
-                $( let mut $field: Option<$type> = None; )+
-                while let Some(key) = map.next_key_seed($crate::description::parse::Word {
-                    place: self.0,
-                    words: KEYS,
-                })? {
-                    $( if key == stringify!($field) {
-                        let place = self.0.key(stringify!($field));
-                        $crate::description::parse::once(&mut $field, &place, &mut map)?;
-                    } )+
-                }
-                $( let $field = $crate::description::form::given!(
-                    $field, self.0.key(stringify!($field)) $(, $default)?
-                ); )+
-                Ok($($constructor)+ { $( $field ),+ })
-            }
-        }
-    };
+static BRDF_FORMS: [Form; 10] = [
+    form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
+    form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
+    form!(Brdf "phong": Keys <Phong>::PARAMETERS),
+    form!(Brdf "blinn_phong": Keys <BlinnPhong>::PARAMETERS),
+    form!(Brdf "schlick_power": Keys <SchlickPower>::PARAMETERS),
+    form!(Brdf "cook_torrance": Keys &[FACETS, REFLECTANCE, SHADOWING]),
+    form!(Brdf "torrance_sparrow_1967": Keys &[
+        model!(@row c: T, SHARPNESS_1967, "c", "sharpness of the distribution, 1/degree"),
+        REFLECTANCE,
+    ]),
+    form!(Brdf "cook_torrance_1982_printed": Keys &[<Beckmann>::PARAMETERS[0], REFLECTANCE]),
+    form!(Brdf "blinn_1977_printed": Keys &[
+        Parameter::new(
+            "distribution", "D", "which of the distributions of 1977",
+            Kind::Word(&["d1", "d2", "d3"]),
+        ),
+        <Blinn1977>::PARAMETERS[0],
+        REFLECTANCE,
+    ]),
+    form!(Brdf "sum": Terms &[
+        model!(@row weight: C, WEIGHT, "w", "weight, per channel"),
+        Parameter::new("brdf", "f", "the model", Kind::Part(Part::Brdf)),
+    ]),
+];
+
+static FRESNEL_FORMS: [Form; 7] = [
+    form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
+    form!(Fresnel "dielectric": Keys <Dielectric>::PARAMETERS),
+    form!(Fresnel "conductor": Keys <Conductor>::PARAMETERS),
+    form!(Fresnel "metal": Value &METAL),
+    form!(Fresnel "schlick": Keys <GeneralSchlick>::PARAMETERS),
+    form!(Fresnel "hall": Keys <Hall>::PARAMETERS),
+    form!(Fresnel "cook": Keys <Cook>::PARAMETERS),
+];
+
+static DISTRIBUTION_FORMS: [Form; 5] = [
+    form!(Distribution "gaussian": Keys <Gaussian>::PARAMETERS),
+    form!(Distribution "beckmann": Keys <Beckmann>::PARAMETERS),
+    form!(Distribution "ggx": Keys <Ggx>::PARAMETERS),
+    form!(Distribution "blinn": Keys <Blinn>::PARAMETERS),
+    form!(Distribution "mixture": Terms &[
+        model!(@row weight: T, WEIGHT, "w", "weight, divided by the sum of all weights"),
+        Parameter::new("distribution", "D", "the distribution", Kind::Part(Part::Distribution)),
+    ]),
+];
+
+const FACETS: Parameter = Parameter::new(
+    "distribution",
+    "D",
+    "density of the facets' normals",
+    Kind::Part(Part::Distribution),
+);
+
+const REFLECTANCE: Parameter =
+    Parameter::new("fresnel", "F", "reflectance of a facet", Kind::Part(Part::Fresnel));
+
+const SHADOWING: Parameter = Parameter::new(
+    "shadowing",
+    "G",
+    "fraction of facets that light and viewer both see; Smith's is known for some distributions",
+    Kind::Word(&["v_cavity", "smith", "smith_separable"]),
+)
+.or(Preset::Word("v_cavity"));
+
+/// An index at 650, 550 and 450 nm. `Ta` and `Zn` are accepted although their sets are not for
+/// colour.
+const METAL: Parameter = Parameter::new(
+    "name",
+    "",
+    "symbol or name of a metal, alloy or semiconductor whose index was measured",
+    Kind::Text,
+);
+
+const fn names<const N: usize>(forms: &[Form; N]) -> [&'static str; N] {
+    let (mut names, mut index) = ([""; N], 0);
+    while index < N {
+        names[index] = forms[index].name;
+        index += 1;
+    }
+    names
 }
 
-/// The value of a key that may be absent if it has a default.
-macro_rules! given {
-    ($value:ident, $place:expr) => {
-        $value.ok_or_else(|| $crate::description::parse::missing(&$place))?
-    };
-    ($value:ident, $place:expr, $default:expr) => {
-        $value.unwrap_or($default)
-    };
+const fn keys<const N: usize>(parameters: &[Parameter]) -> [&'static str; N] {
+    let (mut keys, mut index) = ([""; N], 0);
+    while index < N {
+        keys[index] = parameters[index].name;
+        index += 1;
+    }
+    keys
 }
-
-/// Reads and builds a form of description from the outside.
-macro_rules! entrance {
-    ($name:ident) => {
-        impl<'de> serde::Deserialize<'de> for $name {
-            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-                $crate::description::parse::whole(from, |value: &Self, place| {
-                    value.checked::<f64>(place).map(drop)
-                })
-            }
-        }
-    };
-}
-
-pub(super) use {content, entrance, forms, given, keys, part, words};

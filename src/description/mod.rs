@@ -7,7 +7,8 @@
 //!
 //! The forms are externally tagged, in snake case. A colour C is `0.5` or `[r, g, b]`; a roughness R is `0.3` or
 //! `[along_x, along_y]`. Where a value is shown for a key, the key may be left out and has that
-//! value. Ranges are those of the type with the same name.
+//! value. Ranges are those of the type with the same name; [`forms`] has all names, ranges and
+//! defaults as data.
 //!
 //! | Brdf B | |
 //! |---|---|
@@ -28,7 +29,7 @@
 //! | `{"dielectric": {"ior": C}}` | relative index, transmitted over incident; below 1 is from inside |
 //! | `{"conductor": {"eta": C, "k": C}}` | |
 //! | `{"metal": "Au"}` | measured index at 650, 550 and 450 nm, by symbol or name (feature `materials`); `Ta` and `Zn` are accepted although their sets are not for colour |
-//! | `{"schlick": {"f0": C}}` | |
+//! | `{"schlick": {"f0": C, "f90": 1, "exponent": 5}}` | reflectance at normal and at grazing incidence |
 //! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index; or of a conductor's, `[eta, k]` |
 //! | `{"cook": {"f0": C, "light": C, "ior": 1.5}}` | likewise; contains the light |
 //!
@@ -73,26 +74,30 @@
 //! stops at a depth of about 20 unless its option `recursion_limit` is raised.
 //!
 //! # Cost
-//! What is built is an object: one dispatch per call. Behind it distribution, Fresnel term and
-//! shadowing are known to the compiler, as if the type had been written out; the terms of a mixture
-//! are sorted by type. A term of a sum is an object of its own.
+//! What is built is one type for all forms, [`AnyBrdf`](crate::AnyBrdf): a call costs one predicted
+//! `match` for the model and one for each of its parts, and a batch one for each block.
 //!
 //! [`build`]: BrdfDescription::build
 
 mod bounds;
 mod brdf;
+mod build;
+mod check;
+mod described;
 mod distribution;
 mod error;
 mod form;
 mod fresnel;
-mod parse;
+mod leaf;
+mod metal;
+mod path;
 mod place;
+mod read;
 mod value;
+mod write;
 
-pub use self::brdf::{Blinn1977Description, BrdfDescription, ShadowingDescription, WeightedBrdf};
-pub use crate::{AnyBrdf, AnyDistribution, AnyFresnel};
 pub use bounds::{MAX_DEPTH, MAX_TERMS};
-pub use distribution::{DistributionDescription, WeightedDistribution};
+pub use described::{BrdfDescription, DistributionDescription, FresnelDescription};
 pub use error::{DescriptionError, Problem};
-pub use fresnel::FresnelDescription;
-pub use value::{ColorDescription, IndexDescription, RoughnessDescription};
+pub use form::{Content, Form, forms};
+pub use path::Path;

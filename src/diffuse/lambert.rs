@@ -2,55 +2,42 @@ use core::f64::consts::FRAC_1_PI;
 
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{above_surface, both_above};
-use crate::error::{ParameterError, range};
-use crate::real::{Color, Real, Vector, lift, unsigned};
+use crate::parameter::model;
+use crate::real::{Color, Real, Vector};
 use crate::sampling::cosine_hemisphere;
 
-/// Lambert's ideal diffuse surface: equal radiance in all directions.
-///
-/// ```text
-/// f = ρ/π
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | ρ | `albedo` | fraction of the light that is reflected | 0 … 1 |
-///
-/// Reciprocal. Conserving: the directional albedo is ρ at every angle. Sampled with density
-/// cosθ/π, so that every sample has weight ρ.
-///
-/// J. H. Lambert, *Photometria*, 1760.
-///
-/// ```
-/// use brdf::{Brdf, Lambert};
-/// use glam::DVec3;
-///
-/// let paper = Lambert::new(DVec3::new(0.8, 0.8, 0.7))?;
-/// assert_eq!(paper.albedo(DVec3::Z).z, 0.7);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lambert<C = glam::Vec3> {
-    albedo: C,
-}
-
-impl<C> Lambert<C> {
-    /// A diffuse surface of the given albedo.
+model! {
+    /// Lambert's ideal diffuse surface: equal radiance in all directions.
     ///
-    /// # Errors
-    /// If a channel of `albedo` is not in 0 … 1.
-    pub fn new<T: Real>(albedo: C) -> Result<Self, ParameterError>
-    where
-        C: Color<T>,
-    {
-        range::UNIT.check("albedo", albedo)?;
-        Ok(Self { albedo: unsigned(albedo) })
+    /// # Formula
+    /// ```text
+    /// f = ρ/π
+    /// ```
+    parameters {
+        albedo: C, UNIT, "ρ", "fraction of the light that is reflected";
     }
-}
+    ///
+    /// # Energy
+    /// Reciprocal. Conserving: the directional albedo is ρ at every angle.
+    ///
+    /// # Sampling
+    /// With density cosθ/π, so that every sample has weight ρ.
+    ///
+    /// # Sources
+    /// J. H. Lambert, *Photometria*, 1760.
+    ///
+    /// ```
+    /// use brdf::{Brdf, Lambert};
+    /// use glam::DVec3;
+    ///
+    /// let paper = Lambert::new(DVec3::new(0.8, 0.8, 0.7))?;
+    /// assert_eq!(paper.albedo(DVec3::Z).z, 0.7);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Lambert<C = glam::Vec3>;
 
-lift! {
-    [T: Real, C: Color<T>] Lambert<C> => Lambert<C::Over<U>>:
-    Lambert { albedo: color }
+    /// A diffuse surface of the given albedo.
+    pub fn new;
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {

@@ -2,118 +2,91 @@ use core::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{above_surface, both_above};
-use crate::error::{ParameterError, range};
-use crate::real::{Color, Real, Vector, lift, unsigned};
+use crate::parameter::model;
+use crate::real::{Color, Real, Vector};
 use crate::sampling::cosine_hemisphere;
 
-/// Oren and Nayar's rough diffuse surface of Lambertian V-grooves, qualitative form.
-///
-/// ```text
-/// f = ρ/π · (A + B max(0, cosΔφ) sinθ₁ tanθ₂)
-/// A = 1 − 0.5 σ²/(σ² + 0.33)        B = 0.45 σ²/(σ² + 0.09)
-/// θ₁ = max(θᵢ, θₒ)    θ₂ = min(θᵢ, θₒ)    cosΔφ sinθ₁ tanθ₂ = (xᵢxₒ + yᵢyₒ)/max(cosθᵢ, cosθₒ)
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | ρ | `albedo` | fraction of the light that a facet reflects | 0 … 1 |
-/// | σ | `sigma` | standard deviation of the tilt of the facets, radians | 0 … π/2 |
-///
-/// The paper calls the angles θ₁ and θ₂ α and β. The model is meant for σ up to about 1.2; a tilt never
-/// exceeds π/2. σ is not the roughness of the microfacet distributions: for small angles that is √2 σ.
-///
-/// The constant 0.33 leaves out the light that facets send to each other. The authors offer 0.57
-/// in its place, in A alone, to make up for part of it:
-/// [`with_interreflection`](Self::with_interreflection). These are two values and no range.
-///
-/// Reciprocal, to the last bit. σ = 0 is [`Lambert`](crate::Lambert), to the last bit. **Not** conserving: the
-/// directional albedo rises from ρA at normal incidence to ρ(A + B/2) at grazing, at most 1.0152 ρ
-/// (σ = 0.199), with interreflection 1.0444 ρ (σ = 0.291); with ρ ≤ 0.95 all energy balances. f
-/// grows without bound, as tanθ₂, where both directions graze; the radiance f cosθᵢ does not.
-///
-/// Albedo in closed form, with s = sinθ, c = cosθ:
-/// E = ρ (A + 2B/π · (s(θ − sc)/2 + sc(1 + s + s²)/(3(1 + s)))). Sampled with density cosθ/π.
-///
-/// M. Oren, S. K. Nayar, *Generalization of Lambert's Reflectance Model*, SIGGRAPH 1994,
-/// [doi:10.1145/192161.192213](https://doi.org/10.1145/192161.192213), the qualitative model. Some
-/// descriptions drop the factor 1/π: they count the light as irradiance divided by π.
-///
-/// ```
-/// use brdf::{Brdf, OrenNayar};
-/// use glam::DVec3;
-///
-/// let plaster = OrenNayar::new(DVec3::splat(0.8), 0.3)?;
-/// let f = plaster.eval(DVec3::Z, DVec3::Z);
-/// assert!((f.x - 0.22736420441699334).abs() < 1e-15);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OrenNayar<C = glam::Vec3, T = f32> {
-    albedo: C,
-    /// A.
-    constant: T,
-    /// B.
-    backscatter: T,
-}
-
-impl<C, T> OrenNayar<C, T> {
-    /// A rough diffuse surface; light that facets send to each other is left out (0.33).
+model! {
+    /// Oren and Nayar's rough diffuse surface of Lambertian V-grooves, qualitative form.
     ///
-    /// # Errors
-    /// If a channel of `albedo` is not in 0 … 1 or `sigma`, in radians, not in 0 … π/2.
-    pub fn new(albedo: C, sigma: T) -> Result<Self, ParameterError>
-    where
-        T: Real,
-        C: Color<T>,
-    {
-        Self::with_constant(albedo, sigma, 0.33)
+    /// # Formula
+    /// ```text
+    /// f = ρ/π · (A + B max(0, cosΔφ) sinθ₁ tanθ₂)
+    /// A = 1 − 0.5 σ²/(σ² + 0.33)        B = 0.45 σ²/(σ² + 0.09)
+    /// θ₁ = max(θᵢ, θₒ)    θ₂ = min(θᵢ, θₒ)    cosΔφ sinθ₁ tanθ₂ = (xᵢxₒ + yᵢyₒ)/max(cosθᵢ, cosθₒ)
+    /// ```
+    parameters {
+        albedo: C, UNIT, "ρ", "fraction of the light that a facet reflects";
+        sigma: T, SIGMA, "σ", "standard deviation of the tilt of the facets, radians";
     }
+    flags {
+        interreflection: false, "whether light that facets send to each other is made up for";
+    }
+    constants {
+        let variance = sigma.squared();
+        let offset = T::lit(if interreflection { 0.57 } else { 0.33 });
+        /// A.
+        a: T = T::one() - T::lit(0.5) * variance / (variance + offset);
+        /// B.
+        b: T = T::lit(0.45) * variance / (variance + T::lit(0.09));
+    }
+    ///
+    /// The paper calls the angles θ₁ and θ₂ α and β. The model is meant for σ up to about 1.2; a
+    /// tilt never exceeds π/2. σ is not the roughness of the microfacet distributions: for small
+    /// angles that is √2 σ.
+    ///
+    /// The constant 0.33 leaves out the light that facets send to each other. The authors offer
+    /// 0.57 in its place, in A alone, to make up for part of it:
+    /// [`with_interreflection`](Self::with_interreflection). These are two values and no range.
+    ///
+    /// # Energy
+    /// Reciprocal, to the last bit. σ = 0 is [`Lambert`](crate::Lambert), to the last bit. **Not**
+    /// conserving: the directional albedo rises from ρA at normal incidence to ρ(A + B/2) at
+    /// grazing, at most 1.0152 ρ (σ = 0.199), with interreflection 1.0444 ρ (σ = 0.291); with
+    /// ρ ≤ 0.95 all energy balances. f grows without bound, as tanθ₂, where both directions graze;
+    /// the radiance f cosθᵢ does not.
+    ///
+    /// Albedo in closed form, with s = sinθ, c = cosθ:
+    /// E = ρ (A + 2B/π · (s(θ − sc)/2 + sc(1 + s + s²)/(3(1 + s)))).
+    ///
+    /// # Sampling
+    /// With density cosθ/π.
+    ///
+    /// # Sources
+    /// M. Oren, S. K. Nayar, *Generalization of Lambert's Reflectance Model*, SIGGRAPH 1994,
+    /// [doi:10.1145/192161.192213](https://doi.org/10.1145/192161.192213), the qualitative model.
+    /// Some descriptions drop the factor 1/π: they count the light as irradiance divided by π.
+    ///
+    /// ```
+    /// use brdf::{Brdf, OrenNayar};
+    /// use glam::DVec3;
+    ///
+    /// let plaster = OrenNayar::new(DVec3::splat(0.8), 0.3)?;
+    /// let f = plaster.eval(DVec3::Z, DVec3::Z);
+    /// assert!((f.x - 0.22736420441699334).abs() < 1e-15);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct OrenNayar<C = glam::Vec3, T = f32>;
 
+    /// A rough diffuse surface; light that facets send to each other is left out (0.33).
+    pub fn new(interreflection: false);
     /// A rough diffuse surface; light that facets send to each other is made up for in part
     /// (0.57): up to 10 % brighter at the same σ.
-    ///
-    /// # Errors
-    /// If a channel of `albedo` is not in 0 … 1 or `sigma`, in radians, not in 0 … π/2.
-    pub fn with_interreflection(albedo: C, sigma: T) -> Result<Self, ParameterError>
-    where
-        T: Real,
-        C: Color<T>,
-    {
-        Self::with_constant(albedo, sigma, 0.57)
-    }
-
-    fn with_constant(albedo: C, sigma: T, constant: f64) -> Result<Self, ParameterError>
-    where
-        T: Real,
-        C: Color<T>,
-    {
-        range::UNIT.check("albedo", albedo)?;
-        range::SIGMA.check("sigma", sigma)?;
-        let variance = sigma.squared();
-        Ok(Self {
-            albedo: unsigned(albedo),
-            constant: T::one() - T::lit(0.5) * variance / (variance + T::lit(constant)),
-            backscatter: T::lit(0.45) * variance / (variance + T::lit(0.09)),
-        })
-    }
+    pub fn with_interreflection(interreflection: true);
 }
 
 impl<T: Real, C: Color<T>> OrenNayar<C, T> {
     /// π f for a facet albedo of 1: A + B max(0, cosΔφ) sinθ₁ tanθ₂.
     #[inline(always)]
     fn relative(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        // sinθᵢ sinθₒ cosΔφ, and the cosine of the smaller angle θ₂.
         let across = wi.x() * wo.x() + wi.y() * wo.y();
-        let tallest = wi.z().max(wo.z());
+        let cos_theta_2 = wi.z().max(wo.z());
         // Two directions that graze to the last bit overflow, and 0 · ∞ must not arise for B = 0.
         let limit = T::max_finite();
-        let azimuth = (across.max(T::zero()) / tallest).min(limit);
-        (self.constant + self.backscatter * azimuth).min(limit)
+        let sin_tan = (across.max(T::zero()) / cos_theta_2).min(limit);
+        (self.a + self.b * sin_tan).min(limit)
     }
-}
-
-lift! {
-    [T: Real, C: Color<T>] OrenNayar<C, T> => OrenNayar<C::Over<U>, U>:
-    OrenNayar { albedo: color, constant: number, backscatter: number }
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
@@ -148,8 +121,8 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
         let theta = sin.atan2(cos);
         // tanθ (1 − sin³θ), where the cosine of the tangent cancels.
         let tangent = sin * cos * (one + sin + sin * sin) / (one + sin);
-        let azimuth = sin * (theta - sin * cos) * T::lit(0.5) + tangent * third;
-        let value = self.constant + self.backscatter * T::lit(FRAC_2_PI) * azimuth;
+        let integral = sin * (theta - sin * cos) * T::lit(0.5) + tangent * third;
+        let value = self.a + self.b * T::lit(FRAC_2_PI) * integral;
         C::choose(above_surface::<T, _>(wo), self.albedo * value, C::splat(T::zero()))
     }
 }

@@ -2,49 +2,51 @@ use super::normal_slopes::{slopes, visible_slopes};
 use super::roughness::Roughness;
 use super::traits::{Distribution, Smith};
 use crate::error::ParameterError;
-use crate::real::{Mask, Real, Vector, ierfc, lift};
+use crate::parameter::model;
+use crate::real::{Mask, Real, Vector, ierfc};
 
-/// Beckmann's distribution: facets of a surface whose slopes are normally distributed.
-///
-/// ```text
-/// D = exp(−(h_x²/α_x² + h_y²/α_y²)/h_z²) / (π α_x α_y h_z⁴)
-/// Λ = (exp(−ν²)/(ν√π) − erfc ν)/2,  ν = w_z / √(α_x² w_x² + α_y² w_y²)
-/// ```
-///
-/// With equal roughness α, D = exp(−tan²θ_h/α²)/(π α² cos⁴θ_h), where θ_h is the angle between h and the
-/// normal.
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | α_x, α_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent: √2 times the root-mean-square slope | 10⁻⁸ … 10⁴ |
-///
-/// Normalised, ∫ D cosθ_h dω = 1. The peak 1/(π α²) lies at the normal for α ≤ 1/√2, beyond that on the
-/// ring cos²θ_h = 1/(2α²). Roughness to 0 makes a mirror.
-///
-/// Two printed forms differ by a constant: the form in Cook and Torrance 1982,
-/// exp(−tan²θ_h/α²)/(α² cos⁴θ_h), is π times this one, and the form exp(−tan²θ_h/α²)/(4 α² cos⁴θ_h) is
-/// π/4 times this one. Neither is normalised.
-///
-/// P. Beckmann, A. Spizzichino, *The Scattering of Electromagnetic Waves from Rough Surfaces*,
-/// 1963. R. L. Cook, K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1),
-/// 1982, [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293).
-/// Λ: B. G. Smith, "Geometrical shadowing of a random rough surface", IEEE Trans. AP 15, 1967,
-/// [doi:10.1109/TAP.1967.1138991](https://doi.org/10.1109/TAP.1967.1138991), in the form of B. Walter
-/// et al., EGSR 2007, without their rational fit. Visible normals: E. Heitz, E. d'Eon, "Importance
-/// sampling microfacet-based BSDFs using the distribution of visible normals", EGSR 2014,
-/// [doi:10.1111/cgf.12417](https://doi.org/10.1111/cgf.12417).
-///
-/// ```
-/// use brdf::{Beckmann, Distribution};
-/// use glam::DVec3;
-///
-/// let beckmann = Beckmann::new(0.5_f64)?;
-/// assert!((beckmann.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π α²)
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Beckmann<T = f32> {
-    roughness: Roughness<T>,
+model! {
+    /// Beckmann's distribution: facets of a surface whose slopes are normally distributed.
+    ///
+    /// # Formula
+    /// ```text
+    /// D = exp(−(h_x²/α_x² + h_y²/α_y²)/h_z²) / (π α_x α_y h_z⁴)
+    /// Λ = (exp(−ν²)/(ν√π) − erfc ν)/2,  ν = w_z / √(α_x² w_x² + α_y² w_y²)
+    /// ```
+    ///
+    /// With equal roughness α, D = exp(−tan²θ_h/α²)/(π α² cos⁴θ_h), where θ_h is the angle between h and the
+    /// normal.
+    parameters {
+        roughness: Roughness<T>, ROUGHNESS, "α_x, α_y", "roughness along tangent and bitangent: √2 times the root-mean-square slope";
+    }
+    ///
+    /// # Energy
+    /// Normalised, ∫ D cosθ_h dω = 1. The peak 1/(π α²) lies at the normal for α ≤ 1/√2, beyond that on the
+    /// ring cos²θ_h = 1/(2α²). Roughness to 0 makes a mirror.
+    ///
+    /// Two printed forms differ by a constant: the form in Cook and Torrance 1982,
+    /// exp(−tan²θ_h/α²)/(α² cos⁴θ_h), is π times this one, and the form exp(−tan²θ_h/α²)/(4 α² cos⁴θ_h) is
+    /// π/4 times this one. Neither is normalised.
+    ///
+    /// # Sources
+    /// P. Beckmann, A. Spizzichino, *The Scattering of Electromagnetic Waves from Rough Surfaces*,
+    /// 1963. R. L. Cook, K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1),
+    /// 1982, [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293).
+    /// Λ: B. G. Smith, "Geometrical shadowing of a random rough surface", IEEE Trans. AP 15, 1967,
+    /// [doi:10.1109/TAP.1967.1138991](https://doi.org/10.1109/TAP.1967.1138991), in the form of B. Walter
+    /// et al., EGSR 2007, without their rational fit. Visible normals: E. Heitz, E. d'Eon, "Importance
+    /// sampling microfacet-based BSDFs using the distribution of visible normals", EGSR 2014,
+    /// [doi:10.1111/cgf.12417](https://doi.org/10.1111/cgf.12417).
+    ///
+    /// ```
+    /// use brdf::{Beckmann, Distribution};
+    /// use glam::DVec3;
+    ///
+    /// let beckmann = Beckmann::new(0.5_f64)?;
+    /// assert!((beckmann.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π α²)
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Beckmann<T = f32>;
 }
 
 impl<T: Real> Beckmann<T> {
@@ -63,17 +65,6 @@ impl<T: Real> Beckmann<T> {
     pub fn anisotropic(along_x: T, along_y: T) -> Result<Self, ParameterError> {
         Ok(Self { roughness: Roughness::anisotropic(along_x, along_y)? })
     }
-
-    /// Roughness along the tangent and the bitangent.
-    #[must_use]
-    pub fn roughness(&self) -> [T; 2] {
-        self.roughness.along()
-    }
-}
-
-lift! {
-    [T: Real] Beckmann<T> => Beckmann<U>:
-    Beckmann { roughness: part }
 }
 
 impl<T: Real> Distribution<T> for Beckmann<T> {
@@ -82,6 +73,8 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
         self.density_along(h)
     }
 
+    /// D = exp(−(m_x²/α_x² + m_y²/α_y²)/m_z²)/(π α_x α_y cos⁴θ_h), with 1/cos²θ_h = 1 + tan²θ_h of a
+    /// vector of any length.
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
         let (zero, one) = (T::zero(), T::one());
@@ -91,9 +84,10 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
         let above = m.z().gt(zero).and(sin_squared.lt(cos_squared * T::lit(1e16)));
         let inverse = one / T::select(above, cos_squared, one);
         // From 10⁴ on the exponential is zero in every number; the bounds keep it from infinity.
-        let exponent = (self.roughness.tilt_squared(m) * inverse).min(T::lit(1e4));
+        let exponent = (self.roughness.sin_over_alpha_squared(m) * inverse).min(T::lit(1e4));
         let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e16));
-        let density = (-exponent).exp() * inverse_cos_squared.squared() * self.roughness.peak();
+        let inverse_area = self.roughness.inverse_area();
+        let density = (-exponent).exp() * inverse_cos_squared.squared() * inverse_area;
         density.min(T::max_finite()).only_where(above)
     }
 
@@ -105,22 +99,24 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
 }
 
 impl<T: Real> Smith<T> for Beckmann<T> {
+    /// Λ cosθ = α sinθ ierfc(ν)/2 with ν = cosθ/(α sinθ), since ierfc ν = exp(−ν²)/√π − ν erfc ν.
     #[inline(always)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
         let cos = w.z().max(T::zero());
         // The least square of an f32 that is still precise. Where it takes over, Λ is zero.
-        let spread = self.roughness.spread_squared(w).max(T::lit(1e-36)).sqrt();
-        (T::lit(0.5) * spread * ierfc(cos / spread)).min(T::max_finite())
+        let alpha_sin = self.roughness.alpha_sin_squared(w).max(T::lit(1e-36)).sqrt();
+        (T::lit(0.5) * alpha_sin * ierfc(cos / alpha_sin)).min(T::max_finite())
     }
 
+    /// (1 + 2Λ) cosθ = cosθ + α sinθ ierfc(ν).
     #[inline(always)]
     fn projected_area(&self, w: T::Vec3) -> T {
         let cos = w.z().max(T::zero());
         // Bounds as above, and what has a reciprocal root.
-        let spread_squared = self.roughness.spread_squared(w);
-        let spread_squared = spread_squared.clamp(T::lit(1e-36), T::max_finite());
-        let inverse = spread_squared.rsqrt();
-        cos + spread_squared * inverse * (cos * inverse).ierfc()
+        let alpha_sin_squared = self.roughness.alpha_sin_squared(w);
+        let alpha_sin_squared = alpha_sin_squared.clamp(T::lit(1e-36), T::max_finite());
+        let inverse = alpha_sin_squared.rsqrt();
+        cos + alpha_sin_squared * inverse * (cos * inverse).ierfc()
     }
 
     #[inline(always)]

@@ -1,52 +1,48 @@
 use core::f64::consts::FRAC_1_PI;
 
 use super::traits::Distribution;
-use crate::error::{ParameterError, Range, range};
-use crate::real::{Real, Vector, lift};
+use crate::error::{ParameterError, Range};
+use crate::parameter::model;
+use crate::real::{Real, Vector};
 use crate::sampling::uniform;
 
-/// A power of the cosine: the distribution behind the lobes of Phong and Blinn.
-///
-/// ```text
-/// D = (n + 2)/(2π) cosⁿθ_h
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | θ_h | | angle between h and the normal | 0 … π/2 |
-/// | n | `exponent` | sharpness; 0 makes D constant, large n a mirror | 0 … 10⁸ |
-///
-/// Normalised, ∫ D cosθ_h dω = 1. Blinn's own D₁ is the same power with maximum 1 instead, see
-/// [`Blinn1977`](crate::Blinn1977). cosⁿθ_h is computed as (cos²θ_h/(cos²θ_h + sin²θ_h))^(n/2),
-/// which keeps its digits close to the normal, where large exponents live.
-///
-/// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
-/// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893); normalised as in B. Walter
-/// et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 30.
-///
-/// ```
-/// use brdf::{Blinn, Distribution};
-/// use glam::DVec3;
-///
-/// let blinn = Blinn::new(10.0_f64)?;
-/// assert!((blinn.density(DVec3::Z) - 1.9098593171).abs() < 1e-10); // (n + 2)/(2π)
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blinn<T = f32> {
-    exponent: T,
+model! {
+    /// A power of the cosine: the distribution behind the lobes of Phong and Blinn.
+    ///
+    /// # Formula
+    /// ```text
+    /// D = (n + 2)/(2π) cosⁿθ_h
+    /// ```
+    parameters {
+        exponent: T, EXPONENT, "n", "sharpness; 0 makes D constant, large n a mirror";
+    }
+    /// | θ_h | | angle between h and the normal | 0 … π/2 |
+    ///
+    /// # Energy
+    /// Normalised, ∫ D cosθ_h dω = 1. Blinn's own D₁ is the same power with maximum 1 instead, see
+    /// [`Blinn1977`](crate::Blinn1977). cosⁿθ_h is computed as (cos²θ_h/(cos²θ_h + sin²θ_h))^(n/2),
+    /// which keeps its digits close to the normal, where large exponents live.
+    ///
+    /// # Sources
+    /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
+    /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893); normalised as in B. Walter
+    /// et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 30.
+    ///
+    /// ```
+    /// use brdf::{Blinn, Distribution};
+    /// use glam::DVec3;
+    ///
+    /// let blinn = Blinn::new(10.0_f64)?;
+    /// assert!((blinn.density(DVec3::Z) - 1.9098593171).abs() < 1e-10); // (n + 2)/(2π)
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Blinn<T = f32>;
+
+    /// The distribution with the given exponent.
+    pub fn new;
 }
 
 impl<T: Real> Blinn<T> {
-    /// The distribution with the given exponent.
-    ///
-    /// # Errors
-    /// If `exponent` is not in 0 … 10⁸.
-    pub fn new(exponent: T) -> Result<Self, ParameterError> {
-        range::EXPONENT.check("exponent", exponent)?;
-        Ok(Self { exponent })
-    }
-
     /// The distribution that peaks as high as Beckmann's of roughness α: n = 2/α² − 2. For small α
     /// the two agree everywhere.
     ///
@@ -68,17 +64,6 @@ impl<T: Real> Blinn<T> {
         let cos_squared = (one - roughness) * (one + roughness);
         Self::new(T::lit(2.0) * cos_squared / roughness.squared())
     }
-
-    /// The exponent of the cosine.
-    #[must_use]
-    pub fn exponent(&self) -> T {
-        self.exponent
-    }
-}
-
-lift! {
-    [T: Real] Blinn<T> => Blinn<U>:
-    Blinn { exponent: number }
 }
 
 impl<T: Real> Distribution<T> for Blinn<T> {

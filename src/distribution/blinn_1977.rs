@@ -1,60 +1,56 @@
 use core::f64::consts::{LN_2, SQRT_2};
 
-use crate::error::{ParameterError, Range};
+use crate::parameter::model;
 use crate::real::{Mask, Real};
 
-/// The three distributions that Blinn compared in 1977, as printed: not normalised, with maximum
-/// 1, and scaled so that all of them fall to ½ at the same angle β.
-///
-/// ```text
-/// D₁ = cos^c₁ θ_h                            c₁ = −ln 2/ln cosβ      Phong
-/// D₂ = exp(−(c₂ θ_h)²)                       c₂ = √(ln 2)/β          Torrance–Sparrow
-/// D₃ = (c₃²/(cos²θ_h (c₃² − 1) + 1))²        c₃² = (cos²β − 1)/(cos²β − √2)   Trowbridge–Reitz
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | θ_h | `theta_h` | angle between the half vector and the normal, radians | 0 … π/2 |
-/// | β | `beta` | angle at which D = ½, radians | 2·10⁻⁴ … 1.57 |
-///
-/// For reflection use the normalised forms: [`Blinn`](crate::Blinn) with exponent c₁,
-/// [`Gaussian`](crate::Gaussian) with roughness 1/c₂, [`Ggx`](crate::Ggx) with roughness c₃, which
-/// is D₃/(π c₃²). Beyond ±π/2 all three are zero.
-///
-/// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
-/// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
-///
-/// ```
-/// use brdf::Blinn1977;
-///
-/// let blinn = Blinn1977::new(0.3_f64)?;
-/// assert!((blinn.d1(0.3) - 0.5).abs() < 1e-15);
-/// assert!((blinn.d2(0.3) - 0.5).abs() < 1e-15);
-/// assert!((blinn.d3(0.3) - 0.5).abs() < 1e-15);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blinn1977<T = f32> {
-    c1: T,
-    c2: T,
-    c3_squared: T,
+model! {
+    /// The three distributions that Blinn compared in 1977, as printed: not normalised, with maximum
+    /// 1, and scaled so that all of them fall to ½ at the same angle β.
+    ///
+    /// # Formula
+    /// ```text
+    /// D₁ = cos^c₁ θ_h                            c₁ = −ln 2/ln cosβ      Phong
+    /// D₂ = exp(−(c₂ θ_h)²)                       c₂ = √(ln 2)/β          Torrance–Sparrow
+    /// D₃ = (c₃²/(cos²θ_h (c₃² − 1) + 1))²        c₃² = (cos²β − 1)/(cos²β − √2)   Trowbridge–Reitz
+    /// ```
+    parameters {
+        beta: T, HALF_WIDTH, "β", "angle at which D = ½, radians";
+    }
+    constants {
+        let sin_squared = beta.sin().squared();
+        /// c₁, the exponent of D₁.
+        c1: T = T::lit(2.0 * LN_2) / beta.tan().squared().ln_1p();
+        /// c₂, the inverse of the angle at which D₂ falls to 1/e.
+        c2: T = T::lit(LN_2.sqrt()) / beta;
+        /// c₃².
+        c3_squared: T = sin_squared / (T::lit(SQRT_2 - 1.0) + sin_squared);
+    }
+    /// | θ_h | `theta_h` | angle between the half vector and the normal, radians | 0 … π/2 |
+    ///
+    /// For reflection use the normalised forms: [`Blinn`](crate::Blinn) with exponent c₁,
+    /// [`Gaussian`](crate::Gaussian) with roughness 1/c₂, [`Ggx`](crate::Ggx) with roughness c₃, which
+    /// is D₃/(π c₃²). Beyond ±π/2 all three are zero.
+    ///
+    /// # Sources
+    /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
+    /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
+    ///
+    /// ```
+    /// use brdf::Blinn1977;
+    ///
+    /// let blinn = Blinn1977::new(0.3_f64)?;
+    /// assert!((blinn.d1(0.3) - 0.5).abs() < 1e-15);
+    /// assert!((blinn.d2(0.3) - 0.5).abs() < 1e-15);
+    /// assert!((blinn.d3(0.3) - 0.5).abs() < 1e-15);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Blinn1977<T = f32>;
+
+    /// The three distributions with the given half-width angle in radians.
+    pub fn new;
 }
 
 impl<T: Real> Blinn1977<T> {
-    /// The three distributions with the given half-width angle in radians.
-    ///
-    /// # Errors
-    /// If `beta` is not in 2·10⁻⁴ … 1.57.
-    pub fn new(beta: T) -> Result<Self, ParameterError> {
-        Range::new(2e-4, 1.57).check("beta", beta)?;
-        let sin_squared = beta.sin().squared();
-        Ok(Self {
-            c1: T::lit(2.0 * LN_2) / beta.tan().squared().ln_1p(),
-            c2: T::lit(LN_2.sqrt()) / beta,
-            c3_squared: sin_squared / (T::lit(SQRT_2 - 1.0) + sin_squared),
-        })
-    }
-
     /// The exponent of D₁.
     #[must_use]
     pub fn c1(&self) -> T {

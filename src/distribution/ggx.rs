@@ -1,46 +1,49 @@
 use super::roughness::Roughness;
 use super::traits::{Distribution, Smith};
 use crate::error::ParameterError;
-use crate::real::{Real, Vector, lift};
+use crate::parameter::model;
+use crate::real::{Real, Vector};
 use crate::sampling::uniform;
 
-/// GGX, the distribution of Trowbridge and Reitz: the facets of an ellipsoid.
-///
-/// ```text
-/// D = 1 / (π α_x α_y (h_x²/α_x² + h_y²/α_y² + h_z²)²)
-/// Λ = (√(1 + (α_x² w_x² + α_y² w_y²)/w_z²) − 1)/2
-/// ```
-///
-/// With equal roughness α, D = α²/(π ((α² − 1) cos²θ_h + 1)²), where θ_h is the angle between h and the
-/// normal.
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | α_x, α_y | `along_x`, `along_y` or `roughness` | roughness along tangent and bitangent | 10⁻⁸ … 10⁴ |
-///
-/// Normalised, ∫ D cosθ_h dω = 1. The tails are long: the variance of the slopes is infinite.
-/// Roughness 1 makes D = 1/π at all angles; roughness to 0 makes a mirror.
-///
-/// Visible normals are drawn with spherical caps: in the space stretched to roughness 1, the sum
-/// of the viewer's direction and a uniform point of the cap z > −s_z.
-///
-/// T. S. Trowbridge, K. P. Reitz, "Average irregularity representation of a rough surface for ray
-/// reflection", JOSA 65, 1975, [doi:10.1364/JOSA.65.000531](https://doi.org/10.1364/JOSA.65.000531).
-/// B. Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 33.
-/// J. Dupuy, A. Benyoub, "Sampling visible GGX normals with spherical caps", HPG 2023,
-/// [doi:10.1111/cgf.14867](https://doi.org/10.1111/cgf.14867).
-///
-/// ```
-/// use brdf::{Distribution, Ggx};
-/// use glam::DVec3;
-///
-/// let ggx = Ggx::new(0.5_f64)?;
-/// assert!((ggx.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π α²)
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ggx<T = f32> {
-    roughness: Roughness<T>,
+model! {
+    /// GGX, the distribution of Trowbridge and Reitz: the facets of an ellipsoid.
+    ///
+    /// # Formula
+    /// ```text
+    /// D = 1 / (π α_x α_y (h_x²/α_x² + h_y²/α_y² + h_z²)²)
+    /// Λ = (√(1 + (α_x² w_x² + α_y² w_y²)/w_z²) − 1)/2
+    /// ```
+    ///
+    /// With equal roughness α, D = α²/(π ((α² − 1) cos²θ_h + 1)²), where θ_h is the angle between h and the
+    /// normal.
+    parameters {
+        roughness: Roughness<T>, ROUGHNESS, "α_x, α_y", "roughness along tangent and bitangent";
+    }
+    ///
+    /// # Energy
+    /// Normalised, ∫ D cosθ_h dω = 1. The tails are long: the variance of the slopes is infinite.
+    /// Roughness 1 makes D = 1/π at all angles; roughness to 0 makes a mirror.
+    ///
+    /// # Sampling
+    /// Visible normals are drawn with spherical caps: in the space stretched to roughness 1, the sum
+    /// of the viewer's direction and a uniform point of the cap z > −s_z.
+    ///
+    /// # Sources
+    /// T. S. Trowbridge, K. P. Reitz, "Average irregularity representation of a rough surface for ray
+    /// reflection", JOSA 65, 1975, [doi:10.1364/JOSA.65.000531](https://doi.org/10.1364/JOSA.65.000531).
+    /// B. Walter et al., "Microfacet models for refraction through rough surfaces", EGSR 2007, eq. 33.
+    /// J. Dupuy, A. Benyoub, "Sampling visible GGX normals with spherical caps", HPG 2023,
+    /// [doi:10.1111/cgf.14867](https://doi.org/10.1111/cgf.14867).
+    ///
+    /// ```
+    /// use brdf::{Distribution, Ggx};
+    /// use glam::DVec3;
+    ///
+    /// let ggx = Ggx::new(0.5_f64)?;
+    /// assert!((ggx.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π α²)
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Ggx<T = f32>;
 }
 
 impl<T: Real> Ggx<T> {
@@ -59,17 +62,6 @@ impl<T: Real> Ggx<T> {
     pub fn anisotropic(along_x: T, along_y: T) -> Result<Self, ParameterError> {
         Ok(Self { roughness: Roughness::anisotropic(along_x, along_y)? })
     }
-
-    /// Roughness along the tangent and the bitangent.
-    #[must_use]
-    pub fn roughness(&self) -> [T; 2] {
-        self.roughness.along()
-    }
-}
-
-lift! {
-    [T: Real] Ggx<T> => Ggx<U>:
-    Ggx { roughness: part }
 }
 
 impl<T: Real> Distribution<T> for Ggx<T> {
@@ -78,19 +70,20 @@ impl<T: Real> Distribution<T> for Ggx<T> {
         self.density_along(h)
     }
 
+    /// D = (|m|²/(m_x²/α_x² + m_y²/α_y² + m_z²))²/(π α_x α_y), the formula above for h = m/|m|.
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
-        let zero = T::zero();
         let cos_squared = m.z().squared();
-        // A vector taken for a unit vector needs this too: the fourth power would multiply the
-        // rounding of its length. The bound keeps very long ones from dividing infinity by infinity.
+        // A vector taken for a unit vector needs its length too: the fourth power would multiply the
+        // rounding of it.
         let length_squared = m.x().squared() + m.y().squared() + cos_squared;
-        // No roughness is above 10⁴.
-        let least = length_squared * T::lit(1e-9);
-        let stretched = (self.roughness.tilt_squared(m) + cos_squared).max(least);
-        let quotient = length_squared.min(T::max_finite()) / stretched;
-        let density = (self.roughness.peak() * quotient.squared()).min(T::max_finite());
-        density.only_where(m.z().gt(zero))
+        let sum = self.roughness.sin_over_alpha_squared(m) + cos_squared;
+        // No roughness is above 10⁴: the floor counts only where squares underflow. The bound keeps very
+        // long vectors from dividing infinity by infinity.
+        let (floor, bound) = (length_squared * T::lit(1e-9), T::max_finite());
+        let quotient = length_squared.min(bound) / sum.max(floor);
+        let density = (self.roughness.inverse_area() * quotient.squared()).min(bound);
+        density.only_where(m.z().gt(T::zero()))
     }
 
     #[inline(always)]
@@ -104,20 +97,21 @@ impl<T: Real> Distribution<T> for Ggx<T> {
 }
 
 impl<T: Real> Smith<T> for Ggx<T> {
+    /// Λ cosθ = (√(cos²θ + α² sin²θ) − cosθ)/2, without the difference α² sin²θ over twice the sum.
     #[inline(always)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
         let cos = w.z().max(T::zero());
-        let spread_squared = self.roughness.spread_squared(w);
-        // (√(cos² + s²) − cos)/2 without the difference. The sum is at least 10⁻⁸ for a direction;
-        // its lower bound only keeps the zero vector from dividing 0 by 0.
-        let sum = ((cos.squared() + spread_squared).sqrt() + cos).max(T::lit(1e-30));
-        (T::lit(0.5) * spread_squared / sum).min(T::max_finite())
+        let alpha_sin_squared = self.roughness.alpha_sin_squared(w);
+        // The sum is at least 10⁻⁸ for a direction; its lower bound only keeps the zero vector from
+        // dividing 0 by 0.
+        let sum = ((cos.squared() + alpha_sin_squared).sqrt() + cos).max(T::lit(1e-30));
+        (T::lit(0.5) * alpha_sin_squared / sum).min(T::max_finite())
     }
 
+    /// (1 + 2Λ) cosθ = √(cos²θ + α² sin²θ), the projected area of the ellipsoid.
     #[inline(always)]
     fn projected_area(&self, w: T::Vec3) -> T {
-        // That of the ellipsoid, without the quotient of Λ.
-        (w.z().squared() + self.roughness.spread_squared(w)).min(T::max_finite()).sqrt()
+        (w.z().squared() + self.roughness.alpha_sin_squared(w)).min(T::max_finite()).sqrt()
     }
 
     #[inline(always)]

@@ -12,51 +12,54 @@ use crate::real::{Real, Vector, lift};
 pub(super) struct Roughness<T> {
     along: [T; 2],
     inverse: [T; 2],
-    /// 1/(π α_x α_y): the density of slopes at slope 0.
-    peak: T,
+    /// 1/(π α_x α_y), one over the area of the ellipse with these half axes.
+    inverse_area: T,
 }
 
 lift! {
     [T: Real] Roughness<T> => Roughness<U>:
-    Roughness { along: numbers, inverse: numbers, peak: number }
+    Roughness { along: numbers, inverse: numbers, inverse_area: number }
+}
+
+impl<T: Copy> Roughness<T> {
+    pub(super) fn along(&self) -> [T; 2] {
+        self.along
+    }
 }
 
 impl<T: Real> Roughness<T> {
     pub(super) fn isotropic(roughness: T) -> Result<Self, ParameterError> {
-        check("roughness", roughness)?;
+        range::ROUGHNESS.check("roughness", roughness)?;
         Ok(Self::of([roughness, roughness]))
     }
 
     pub(super) fn anisotropic(along_x: T, along_y: T) -> Result<Self, ParameterError> {
-        check("along_x", along_x)?;
-        check("along_y", along_y)?;
+        range::ROUGHNESS.check("along_x", along_x)?;
+        range::ROUGHNESS.check("along_y", along_y)?;
         Ok(Self::of([along_x, along_y]))
     }
 
     fn of(along: [T; 2]) -> Self {
         let one = T::one();
         let inverse = [one / along[0], one / along[1]];
-        Self { along, inverse, peak: one / (T::lit(PI) * along[0] * along[1]) }
+        Self { along, inverse, inverse_area: one / (T::lit(PI) * along[0] * along[1]) }
     }
 
-    pub(super) fn along(&self) -> [T; 2] {
-        self.along
-    }
-
+    /// 1/(π α_x α_y): the density of slopes at slope 0.
     #[inline(always)]
-    pub(super) fn peak(&self) -> T {
-        self.peak
+    pub(super) fn inverse_area(&self) -> T {
+        self.inverse_area
     }
 
-    /// (h_x/α_x)² + (h_y/α_y)².
+    /// (h_x/α_x)² + (h_y/α_y)²: sin²θ_h over the squared roughness in the plane of `h`.
     #[inline(always)]
-    pub(super) fn tilt_squared(&self, h: T::Vec3) -> T {
+    pub(super) fn sin_over_alpha_squared(&self, h: T::Vec3) -> T {
         (h.x() * self.inverse[0]).squared() + (h.y() * self.inverse[1]).squared()
     }
 
     /// (α_x w_x)² + (α_y w_y)²: sin²θ times the squared roughness in the plane of `w`.
     #[inline(always)]
-    pub(super) fn spread_squared(&self, w: T::Vec3) -> T {
+    pub(super) fn alpha_sin_squared(&self, w: T::Vec3) -> T {
         (w.x() * self.along[0]).squared() + (w.y() * self.along[1]).squared()
     }
 
@@ -82,8 +85,4 @@ impl<T: Real> Roughness<T> {
         let normal: T::Vec3 = Vector::new(x * self.along[0], y * self.along[1], z);
         Vector::normalize_or_normal(normal)
     }
-}
-
-fn check<T: Real>(name: &'static str, value: T) -> Result<(), ParameterError> {
-    range::ROUGHNESS.check(name, value)
 }

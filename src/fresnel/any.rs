@@ -1,6 +1,7 @@
 use super::conductor::Conductor;
 use super::constant::Constant;
 use super::dielectric::Dielectric;
+use super::general_schlick::GeneralSchlick;
 use super::interpolation::{Cook, Hall};
 use super::schlick::Schlick;
 use super::term::Fresnel;
@@ -37,6 +38,8 @@ members! {
         Conductor(Conductor<C>),
         /// Schlick's approximation.
         Schlick(Schlick<C>),
+        /// Schlick's approximation with a colour at the edge and an exponent.
+        GeneralSchlick(GeneralSchlick<C, T>),
         /// Hall's interpolation, driven by a transparent medium.
         Hall(Hall<C, Dielectric<T>>),
         /// Hall's interpolation, driven by an absorbing medium.

@@ -2,82 +2,66 @@ use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
 use super::polarized::Polarized;
 use super::term::{Fresnel, incident_cosine};
-use crate::error::{ParameterError, range};
+use crate::parameter::model;
 use crate::quadrature::integrate;
-use crate::real::{Color, Real, lift};
+use crate::real::{Color, Real};
 
-/// Fresnel's reflectance of a conductor or any absorbing medium, exact, seen from a transparent
-/// one.
-///
-/// ```text
-/// q = a + ib = √((n + ik)² − s²)    u = |cosθ|    s² = (1 − u)(1 + u)
-/// R_s = |(u − q)/(u + q)|²          R_p = R_s |(u q − s²)/(u q + s²)|²    R = (R_s + R_p)/2
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | n | `eta` | real part of the relative index | 10⁻⁴ … 10⁴ |
-/// | k | `k` | imaginary part, the extinction coefficient | 0 … 10⁴ |
-/// | cosθ | `cos_theta` | cosine of the angle of incidence | −1 … 1, the sign is ignored |
-///
-/// k is the extinction coefficient itself, not κ = k/n. With k = 0 this is
-/// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 but for
-/// rounding, unless n = 1 and k < 10⁻¹⁸: there R falls to 0, that of no surface.
-///
-/// Reciprocal. Conserving: R ≤ 1.
-///
-/// The sum of R_s and R_p is evaluated on one fraction line,
-///
-/// ```text
-/// R = |N² − 1|² (u²h + s⁴) / ((h + u² + 2au)² (u²h + s⁴ + 2au s²))    N = n + ik    h = a² + b²
-/// ```
-///
-/// where nothing is subtracted: in `f32` R stays within 10⁻⁶ relative of the exact value for every
-/// index and angle, except where |q|² < |N|²/10, close to the critical angle of n < 1 with k near
-/// 0; there see [`Dielectric`](super::Dielectric).
-///
-/// The average is a quadrature with a relative error below 10⁻¹⁴ for metals (0.04 ≤ n ≤ 10,
-/// 1 ≤ k ≤ 10), 4·10⁻⁷ in the whole range except next to n + ik = 1, where all that is reflected
-/// grazes: it grows to 10⁻⁵ at |N − 1| = 10⁻⁵, 3·10⁻⁴ at 10⁻⁶ and 0.1 at 10⁻⁹.
-///
-/// A. Fresnel 1823, with A. L. Cauchy's complex index. M. Born, E. Wolf, *Principles of Optics*,
-/// section 14.2.
-///
-/// ```
-/// use brdf::{Conductor, Fresnel};
-/// use glam::DVec3;
-///
-/// // Gold at 659.5, 548.6 and 450.9 nm.
-/// let gold = Conductor::new(DVec3::new(0.14, 0.43, 1.38), DVec3::new(3.697, 2.455, 1.914))?;
-/// let normal = gold.reflectance(1.0);
-/// assert!(normal.abs_diff_eq(DVec3::new(0.962585, 0.786916, 0.408220), 1e-6));
-/// assert!(gold.reflectance(0.0).abs_diff_eq(DVec3::ONE, 1e-15));
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conductor<C = glam::Vec3> {
-    eta: C,
-    k: C,
-}
-
-impl<C> Conductor<C> {
-    /// A medium of the given complex relative index n + ik, per channel.
+model! {
+    /// Fresnel's reflectance of a conductor or any absorbing medium, exact, seen from a transparent
+    /// one.
     ///
-    /// # Errors
-    /// If a channel of `eta` is not in 10⁻⁴ … 10⁴ or a channel of `k` not in 0 … 10⁴.
-    pub fn new<T: Real>(eta: C, k: C) -> Result<Self, ParameterError>
-    where
-        C: Color<T>,
-    {
-        range::ETA.check("eta", eta)?;
-        range::K.check("k", k)?;
-        Ok(Self { eta, k })
+    /// # Formula
+    /// ```text
+    /// q = a + ib = √((n + ik)² − s²)    u = |cosθ|    s² = (1 − u)(1 + u)
+    /// R_s = |(u − q)/(u + q)|²          R_p = R_s |(u q − s²)/(u q + s²)|²    R = (R_s + R_p)/2
+    /// ```
+    parameters {
+        eta: C, ETA, "n", "real part of the relative index";
+        k: C, K, "k", "imaginary part, the extinction coefficient";
     }
-}
+    /// | cosθ | `cos_theta` | cosine of the angle of incidence | −1 … 1, the sign is ignored |
+    ///
+    /// k is the extinction coefficient itself, not κ = k/n. With k = 0 this is
+    /// [`Dielectric`](super::Dielectric), total reflection included. At grazing R = 1 but for
+    /// rounding, unless n = 1 and k < 10⁻¹⁸: there R falls to 0, that of no surface.
+    ///
+    /// # Energy
+    /// Reciprocal. Conserving: R ≤ 1.
+    ///
+    /// # Accuracy
+    /// The sum of R_s and R_p is evaluated on one fraction line,
+    ///
+    /// ```text
+    /// R = |N² − 1|² (u²h + s⁴) / ((h + u² + 2au)² (u²h + s⁴ + 2au s²))    N = n + ik    h = a² + b²
+    /// ```
+    ///
+    /// where nothing is subtracted: in `f32` R stays within 10⁻⁶ relative of the exact value for every
+    /// index and angle, except where |q|² < |N|²/10, close to the critical angle of n < 1 with k near
+    /// 0; there see [`Dielectric`](super::Dielectric).
+    ///
+    /// The average is a quadrature with a relative error below 10⁻¹⁴ for metals (0.04 ≤ n ≤ 10,
+    /// 1 ≤ k ≤ 10), 4·10⁻⁷ in the whole range except next to n + ik = 1, where all that is reflected
+    /// grazes: it grows to 10⁻⁵ at |N − 1| = 10⁻⁵, 3·10⁻⁴ at 10⁻⁶ and 0.1 at 10⁻⁹.
+    ///
+    /// # Sources
+    /// A. Fresnel 1823, with A. L. Cauchy's complex index. M. Born, E. Wolf, *Principles of Optics*,
+    /// section 14.2.
+    ///
+    /// ```
+    /// use brdf::{Conductor, Fresnel};
+    /// use glam::DVec3;
+    ///
+    /// // Gold at 659.5, 548.6 and 450.9 nm.
+    /// let gold = Conductor::new(DVec3::new(0.14, 0.43, 1.38), DVec3::new(3.697, 2.455, 1.914))?;
+    /// let normal = gold.reflectance(1.0);
+    /// assert!(normal.abs_diff_eq(DVec3::new(0.962585, 0.786916, 0.408220), 1e-6));
+    /// assert!(gold.reflectance(0.0).abs_diff_eq(DVec3::ONE, 1e-15));
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Conductor<C = glam::Vec3>;
 
-lift! {
-    [T: Real, C: Color<T>] Conductor<C> => Conductor<C::Over<U>>:
-    Conductor { eta: color, k: color }
+    /// A medium of the given complex relative index n + ik, per channel.
+    pub fn new;
 }
 
 impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {

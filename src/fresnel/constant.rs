@@ -1,49 +1,33 @@
 use super::term::Fresnel;
-use crate::error::{ParameterError, range};
-use crate::real::{Color, Real, lift, unsigned};
+use crate::parameter::model;
+use crate::real::{Color, Real};
 
-/// The same reflectance at all angles: an ideal mirror, or no Fresnel effect at all.
-///
-/// ```text
-/// F = F₀
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | F₀ | `reflectance` | fraction of the light that is reflected | 0 … 1 |
-///
-/// Reciprocal, conserving. No real surface behaves so; it serves to test the other factors of a
-/// model.
-///
-/// ```
-/// use brdf::{Constant, Fresnel};
-///
-/// let mirror = Constant::new(0.9_f64)?;
-/// assert_eq!(mirror.reflectance(0.1), 0.9);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Constant<C = glam::Vec3> {
-    reflectance: C,
-}
-
-impl<C> Constant<C> {
-    /// A surface of the given reflectance.
+model! {
+    /// The same reflectance at all angles: an ideal mirror, or no Fresnel effect at all.
     ///
-    /// # Errors
-    /// If a channel of `reflectance` is not in 0 … 1.
-    pub fn new<T: Real>(reflectance: C) -> Result<Self, ParameterError>
-    where
-        C: Color<T>,
-    {
-        range::UNIT.check("reflectance", reflectance)?;
-        Ok(Self { reflectance: unsigned(reflectance) })
+    /// # Formula
+    /// ```text
+    /// F = F₀
+    /// ```
+    parameters {
+        reflectance: C, UNIT, "F₀", "fraction of the light that is reflected";
     }
-}
+    ///
+    /// # Energy
+    /// Reciprocal, conserving. No real surface behaves so; it serves to test the other factors of a
+    /// model.
+    ///
+    /// ```
+    /// use brdf::{Constant, Fresnel};
+    ///
+    /// let mirror = Constant::new(0.9_f64)?;
+    /// assert_eq!(mirror.reflectance(0.1), 0.9);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Constant<C = glam::Vec3>;
 
-lift! {
-    [T: Real, C: Color<T>] Constant<C> => Constant<C::Over<U>>:
-    Constant { reflectance: color }
+    /// A surface of the given reflectance.
+    pub fn new;
 }
 
 impl<T: Real, C: Color<T>> Fresnel<T> for Constant<C> {

@@ -1,74 +1,60 @@
 use super::polarized::Polarized;
 use super::term::Fresnel;
-use crate::error::{ParameterError, range};
+use crate::parameter::model;
 use crate::quadrature::integrate;
-use crate::real::{Color, Real, lift};
+use crate::real::{Color, Real};
 
-/// Fresnel's reflectance of a transparent medium, exact, from either side.
-///
-/// ```text
-/// R_s = ((c − q)/(c + q))²    R_p = R_s ((c q − s²)/(c q + s²))²    R = (R_s + R_p)/2
-/// q = √(η² − s²)    η = n₂/n₁    c = |cosθ|    s² = (1 − c)(1 + c)
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | n | `ior` | relative index, transmitted over incident medium | 10⁻⁴ … 10⁴ |
-/// | cosθ | `cos_theta` | cosine of the angle of incidence | −1 … 1 |
-///
-/// A cosine ≥ 0 means light on the side of the normal (n₁ = 1, n₂ = n), a negative one light that
-/// arrives from the other side (n₁ = n, n₂ = 1). An index below 1 is a dense medium seen from
-/// inside. The index is always the relative one: glass seen from water is 1.5/1.33.
-///
-/// Beyond the critical angle, where q² < 0, all light is reflected: R = 1. At grazing R = 1. With
-/// n = 1 there is no surface: R = 0 at every angle, also at grazing, where the limits n → 1 and
-/// cosθ → 0 do not commute. At Brewster's angle R_p = 0.
-///
-/// Reciprocal: the same from either side along a refracted ray. Conserving: R ≤ 1.
-///
-/// The differences in the textbook's formulas are evaluated as sums, c − q = (1 − η²)/(c + q), so
-/// that the answer keeps its digits for n near 1 and near the normal: in `f32` R stays within
-/// 2·10⁻⁶ relative of the exact value, except where |q²| < η²/10, close to the critical angle.
-/// There the slope of R is infinite, and q² is off by about ε min(η², |η² − 1|), which makes R off
-/// by that over q times 4/c + 2c/s²: a few 10⁻⁶ next to the critical angle, a few 10⁻³ at it.
-///
-/// The average is exact up to rounding; see [`average`](Fresnel::average).
-///
-/// A. Fresnel, *Mémoire sur la loi des modifications que la réflexion imprime à la lumière
-/// polarisée*, 1823. M. Born, E. Wolf, *Principles of Optics*, section 1.5.
-///
-/// ```
-/// use brdf::{Dielectric, Fresnel};
-///
-/// let glass = Dielectric::new(1.5_f64)?;
-/// assert!((glass.reflectance(1.0) - 0.04).abs() < 1e-15);
-/// assert_eq!(glass.reflectance(0.0), 1.0);
-/// assert_eq!(glass.reflectance(-0.5), 1.0); // from inside at 60°: total reflection
-/// assert!((glass.average() - 0.0917779593).abs() < 1e-10);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dielectric<C = glam::Vec3> {
-    ior: C,
-}
-
-impl<C> Dielectric<C> {
-    /// A transparent medium of the given relative index of refraction, per channel.
+model! {
+    /// Fresnel's reflectance of a transparent medium, exact, from either side.
     ///
-    /// # Errors
-    /// If a channel of `ior` is not in 10⁻⁴ … 10⁴.
-    pub fn new<T: Real>(ior: C) -> Result<Self, ParameterError>
-    where
-        C: Color<T>,
-    {
-        range::ETA.check("ior", ior)?;
-        Ok(Self { ior })
+    /// # Formula
+    /// ```text
+    /// R_s = ((c − q)/(c + q))²    R_p = R_s ((c q − s²)/(c q + s²))²    R = (R_s + R_p)/2
+    /// q = √(η² − s²)    η = n₂/n₁    c = |cosθ|    s² = (1 − c)(1 + c)
+    /// ```
+    parameters {
+        ior: C, ETA, "n", "relative index, transmitted over incident medium";
     }
-}
+    /// | cosθ | `cos_theta` | cosine of the angle of incidence | −1 … 1 |
+    ///
+    /// A cosine ≥ 0 means light on the side of the normal (n₁ = 1, n₂ = n), a negative one light that
+    /// arrives from the other side (n₁ = n, n₂ = 1). An index below 1 is a dense medium seen from
+    /// inside. The index is always the relative one: glass seen from water is 1.5/1.33.
+    ///
+    /// Beyond the critical angle, where q² < 0, all light is reflected: R = 1. At grazing R = 1. With
+    /// n = 1 there is no surface: R = 0 at every angle, also at grazing, where the limits n → 1 and
+    /// cosθ → 0 do not commute. At Brewster's angle R_p = 0.
+    ///
+    /// # Energy
+    /// Reciprocal: the same from either side along a refracted ray. Conserving: R ≤ 1.
+    ///
+    /// # Accuracy
+    /// The differences in the textbook's formulas are evaluated as sums, c − q = (1 − η²)/(c + q), so
+    /// that the answer keeps its digits for n near 1 and near the normal: in `f32` R stays within
+    /// 2·10⁻⁶ relative of the exact value, except where |q²| < η²/10, close to the critical angle.
+    /// There the slope of R is infinite, and q² is off by about ε min(η², |η² − 1|), which makes R off
+    /// by that over q times 4/c + 2c/s²: a few 10⁻⁶ next to the critical angle, a few 10⁻³ at it.
+    ///
+    /// The average is exact up to rounding; see [`average`](Fresnel::average).
+    ///
+    /// # Sources
+    /// A. Fresnel, *Mémoire sur la loi des modifications que la réflexion imprime à la lumière
+    /// polarisée*, 1823. M. Born, E. Wolf, *Principles of Optics*, section 1.5.
+    ///
+    /// ```
+    /// use brdf::{Dielectric, Fresnel};
+    ///
+    /// let glass = Dielectric::new(1.5_f64)?;
+    /// assert!((glass.reflectance(1.0) - 0.04).abs() < 1e-15);
+    /// assert_eq!(glass.reflectance(0.0), 1.0);
+    /// assert_eq!(glass.reflectance(-0.5), 1.0); // from inside at 60°: total reflection
+    /// assert!((glass.average() - 0.0917779593).abs() < 1e-10);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct Dielectric<C = glam::Vec3>;
 
-lift! {
-    [T: Real, C: Color<T>] Dielectric<C> => Dielectric<C::Over<U>>:
-    Dielectric { ior: color }
+    /// A transparent medium of the given relative index of refraction, per channel.
+    pub fn new;
 }
 
 impl<T: Real, C: Color<T>> Fresnel<T> for Dielectric<C> {

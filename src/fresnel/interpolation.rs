@@ -1,28 +1,35 @@
 use super::dielectric::Dielectric;
 use super::term::{Fresnel, average_over_cosine, incident_cosine};
-use crate::error::{ParameterError, Range, range};
+use crate::error::{ParameterError, range};
+use crate::parameter::{Kind, Parameter, Preset, model};
 use crate::real::{Color, Lift, Real, lift, unsigned};
 
 /// Hall's interpolation: the colour at normal incidence turns white towards grazing as the exact
 /// curve of a reference material does.
 ///
+/// # Formula
 /// ```text
 /// F(θ) = F₀ + (1 − F₀) max{0, F_ref(θ) − F_ref(0)}/(1 − F_ref(0))
 /// ```
+///
+/// # Parameters
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
 /// | F₀ | `f0` | reflectance at normal incidence, per channel | 0 … 1 |
 /// | F_ref | `ior` or `reference` | exact reflectance at one reference wavelength | see there |
 ///
+/// # Energy
 /// Reciprocal. Conserving: F₀ ≤ F ≤ 1. Exact for a channel whose F₀ is that of the reference,
 /// except where the reference dips below its normal incidence, as metals (and dielectrics with
 /// n > 3.7) do: the maximum, as printed, cuts the dip off. A reference that reflects everything at
 /// normal incidence gives 0/0; the answer is F₀ then.
 ///
-/// Accuracy: the weight is a difference of reflectances, so it is off by up to
+/// # Accuracy
+/// The weight is a difference of reflectances, so it is off by up to
 /// 2ε/(1 − F_ref(0)) of the number's ε, absolutely. The average is the default quadrature.
 ///
+/// # Sources
 /// R. Hall, *Illumination and Color in Computer Generated Imagery*, Springer 1989.
 ///
 /// ```
@@ -45,6 +52,15 @@ pub struct Hall<C = glam::Vec3, F = Dielectric<f32>> {
     reference: F,
 }
 
+/// The reference as descriptions have it.
+const REFERENCE: Parameter = Parameter::new(
+    "ior",
+    "F_ref",
+    "index of the transparent or absorbing medium whose exact reflectance is the reference",
+    Kind::Index(range::ETA, range::K),
+)
+.or(Preset::Number(1.5));
+
 impl<C, T: Real> Hall<C, Dielectric<T>> {
     /// A surface with the colour `f0` at normal incidence and the angular course of a transparent
     /// medium of index `ior`.
@@ -60,6 +76,10 @@ impl<C, T: Real> Hall<C, Dielectric<T>> {
 }
 
 impl<C, F> Hall<C, F> {
+    /// The table of the parameters.
+    pub const PARAMETERS: &'static [Parameter] =
+        &[model!(@row f0: C, UNIT, "F₀", "reflectance at normal incidence"), REFERENCE];
+
     /// A surface with the colour `f0` at normal incidence and the angular course of `reference`,
     /// for example a [`Conductor`](super::Conductor) at one wavelength.
     ///
@@ -103,15 +123,15 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
     }
 }
 
-/// Largest radiance of a light: its products with a reflectance stay far from overflow.
-const LIGHT: Range = Range::new(0.0, 1e10);
-
 /// Cook and Torrance's interpolation: the colour of the reflected light turns from the colour at
 /// normal incidence into the colour of the light towards grazing.
 ///
+/// # Formula
 /// ```text
 /// C(θ) = F₀ I + (I − F₀ I) max{0, F_ref(θ) − F_ref(0)}/(1 − F_ref(0))
 /// ```
+///
+/// # Parameters
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
@@ -125,8 +145,10 @@ const LIGHT: Range = Range::new(0.0, 1e10);
 /// formula mixes the two: F₀ = 0.2, I = 0.5 and weight ½ give 0.35, times the light 0.175, where
 /// 0.30 is right. Here both ends are colours of reflected light.
 ///
+/// # Energy
 /// Reciprocal. Conserving relative to the light: C ≤ I. The rest as for [`Hall`].
 ///
+/// # Sources
 /// R. L. Cook, K. E. Torrance, *A Reflectance Model for Computer Graphics*, ACM Transactions on
 /// Graphics 1(1), 1982, doi:10.1145/357290.357293.
 ///
@@ -160,6 +182,13 @@ impl<C, T: Real> Cook<C, Dielectric<T>> {
 }
 
 impl<C, F> Cook<C, F> {
+    /// The table of the parameters.
+    pub const PARAMETERS: &'static [Parameter] = &[
+        model!(@row f0: C, UNIT, "F₀", "reflectance at normal incidence"),
+        model!(@row light: C, LIGHT, "I", "colour of the light"),
+        REFERENCE,
+    ];
+
     /// A surface with the colour `f0` at normal incidence and the angular course of `reference`,
     /// for example a [`Conductor`](super::Conductor) at one wavelength, under light of colour
     /// `light`.
@@ -172,7 +201,7 @@ impl<C, F> Cook<C, F> {
         F: Fresnel<T, Color = T>,
     {
         let reflectance = Hall::with_reference(f0, reference)?;
-        LIGHT.check("light", light)?;
+        range::LIGHT.check("light", light)?;
         Ok(Self { reflectance, light: unsigned(light) })
     }
 }

@@ -1,7 +1,7 @@
 //! Reflectance of a smooth surface.
 //!
-//! [`Dielectric`] and [`Conductor`] are Fresnel's equations, exact; [`Schlick`], [`Hall`] and
-//! [`Cook`] approximate them from the colour at normal incidence. [`forms`] has the equations as
+//! [`Dielectric`] and [`Conductor`] are Fresnel's equations, exact; [`Schlick`], [`GeneralSchlick`],
+//! [`Hall`] and [`Cook`] approximate them from the colour at normal incidence. [`forms`] has the equations as
 //! they are printed in textbooks.
 
 mod any;
@@ -9,6 +9,7 @@ mod conductor;
 mod constant;
 mod dielectric;
 pub mod forms;
+mod general_schlick;
 mod interpolation;
 mod normal_incidence;
 mod polarized;
@@ -19,6 +20,7 @@ pub use any::AnyFresnel;
 pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
 pub use dielectric::{Dielectric, dielectric_polarized};
+pub use general_schlick::GeneralSchlick;
 pub use interpolation::{Cook, Hall};
 pub use normal_incidence::{index_from_normal_incidence, normal_incidence};
 pub use polarized::Polarized;

@@ -1,71 +1,55 @@
 use core::f64::consts::{FRAC_1_PI, PI, TAU};
 
 use super::cosine_power::{power_of_versine, quarter_turn};
-use super::lobe::check_lobe;
 use super::mirror::{around_mirror, mirror_versine, sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{above_surface, both_above};
-use crate::error::ParameterError;
-use crate::real::{Color, Real, Vector, lift};
+use crate::parameter::model;
+use crate::real::{Color, Real, Vector};
 use crate::sampling::uniform;
 
-/// Phong's highlight as printed in 1975, for pictures that must match it.
-///
-/// ```text
-/// I = kₛ max(0, R·V)ⁿ                 the intensity of the highlight, of a light of intensity 1
-/// f = kₛ max(0, R·V)ⁿ / (N·L)         the BRDF that gives f cosθᵢ = I
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | kₛ | `specular` | intensity at the centre of the highlight | 0 … 1 |
-/// | n | `exponent` | sharpness of the highlight | 0 … 10⁸ |
-///
-/// **Not** reciprocal: the cosine belongs to the light alone. **Not** conserving: the directional
-/// albedo is 2πkₛ/(n + 1) at normal incidence and falls from there, so it exceeds kₛ for
-/// n < 2π − 1 (n = 0: 6.28, n = 1: 3.14) and fades for larger n. f grows without bound where the
-/// light grazes; the radiance f cosθᵢ does not. [`Phong`](crate::Phong) is the lobe for
-/// physically based rendering.
-///
-/// Sampled with density (n + 1)/(2π) (R·V)ⁿ around the mirror direction. Directional albedo
-/// E = kₛ π/(n + 1) · (1 + W(π/2 − θ)/W(π/2)) with W(φ) = ∫₀^φ cosⁿ.
-///
-/// B. T. Phong, *Illumination for Computer Generated Pictures*, CACM 18(6), 1975,
-/// [doi:10.1145/360825.360839](https://doi.org/10.1145/360825.360839).
-///
-/// ```
-/// use brdf::{Brdf, ClassicPhong};
-/// use glam::DVec3;
-///
-/// let highlight = ClassicPhong::new(DVec3::ONE, 10.0)?;
-/// let (wi, wo) = (DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.6, 0.0, 0.8));
-/// assert!((highlight.eval(wi, wo).x * wi.z - 1.0).abs() < 1e-14);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ClassicPhong<C = glam::Vec3, T = f32> {
-    specular: C,
-    exponent: T,
-}
-
-impl<C, T> ClassicPhong<C, T> {
-    /// A highlight with the given intensity at its centre and exponent.
+model! {
+    /// Phong's highlight as printed in 1975, for pictures that must match it.
     ///
-    /// # Errors
-    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
-    pub fn new(specular: C, exponent: T) -> Result<Self, ParameterError>
-    where
-        T: Real,
-        C: Color<T>,
-    {
-        let specular = check_lobe(specular, exponent)?;
-        Ok(Self { specular, exponent })
+    /// # Formula
+    /// ```text
+    /// I = kₛ max(0, R·V)ⁿ                 the intensity of the highlight, of a light of intensity 1
+    /// f = kₛ max(0, R·V)ⁿ / (N·L)         the BRDF that gives f cosθᵢ = I
+    /// ```
+    parameters {
+        specular: C, UNIT, "kₛ", "intensity at the centre of the highlight";
+        exponent: T, EXPONENT, "n", "sharpness of the highlight";
     }
-}
+    ///
+    /// # Energy
+    /// **Not** reciprocal: the cosine belongs to the light alone. **Not** conserving: the
+    /// directional albedo is 2πkₛ/(n + 1) at normal incidence and falls from there, so it exceeds kₛ
+    /// for n < 2π − 1 (n = 0: 6.28, n = 1: 3.14) and fades for larger n. f grows without bound where
+    /// the light grazes; the radiance f cosθᵢ does not. [`Phong`](crate::Phong) is the lobe for
+    /// physically based rendering.
+    ///
+    /// Directional albedo E = kₛ π/(n + 1) · (1 + W(π/2 − θ)/W(π/2)) with W(φ) = ∫₀^φ cosⁿ.
+    ///
+    /// # Sampling
+    /// With density (n + 1)/(2π) (R·V)ⁿ around the mirror direction.
+    ///
+    /// # Sources
+    /// B. T. Phong, *Illumination for Computer Generated Pictures*, CACM 18(6), 1975,
+    /// [doi:10.1145/360825.360839](https://doi.org/10.1145/360825.360839).
+    ///
+    /// ```
+    /// use brdf::{Brdf, ClassicPhong};
+    /// use glam::DVec3;
+    ///
+    /// let highlight = ClassicPhong::new(DVec3::ONE, 10.0)?;
+    /// let (wi, wo) = (DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.6, 0.0, 0.8));
+    /// assert!((highlight.eval(wi, wo).x * wi.z - 1.0).abs() < 1e-14);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct ClassicPhong<C = glam::Vec3, T = f32>;
 
-lift! {
-    [T: Real, C: Color<T>] ClassicPhong<C, T> => ClassicPhong<C::Over<U>, U>:
-    ClassicPhong { specular: color, exponent: number }
+    /// A highlight with the given intensity at its centre and exponent.
+    pub fn new;
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {

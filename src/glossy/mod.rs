@@ -3,7 +3,6 @@
 mod blinn_phong;
 mod classic_phong;
 mod cosine_power;
-mod lobe;
 mod mirror;
 mod phong;
 mod schlick_power;

@@ -1,91 +1,74 @@
 use core::f64::consts::{FRAC_1_PI, TAU};
 
-use super::lobe::check_lobe;
 use super::mirror::{around_mirror, mean_cosine, mirror_versine, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{above_surface, both_above};
-use crate::error::ParameterError;
+use crate::parameter::model;
 use crate::quadrature::integrate;
-use crate::real::{Color, Mask, Real, Vector, lift};
+use crate::real::{Color, Mask, Real, Vector};
 use crate::sampling::uniform;
 
-/// Schlick's rational lobe in place of Phong's power.
-///
-/// ```text
-/// f = kₛ C · S/(h − hS + S)        S = max(0, R·V)        R = 2N(N·L) − L
-/// C = 1/(2πJ)        J = ∫₀¹ S²/(h − hS + S) dS        C = 1 in the unnormalised form
-/// ```
-///
-/// | symbol | parameter | meaning | range |
-/// |---|---|---|---|
-/// | kₛ | `specular` | directional albedo at normal incidence | 0 … 1 |
-/// | h | `exponent` | exponent of the power that is replaced | 0 … 10⁸ |
-///
-/// Meant for h ≥ 1, where Sʰ ≈ S/(h − hS + S) has the same value at S = 0 and the same value and
-/// slope at S = 1; it stays well behaved down to h = 0, a constant. The tail is much heavier than
-/// the power's: half of the peak is reached at S = h/(h + 1).
-///
-/// Reciprocal, to the last bit. Conserving with its own constant: the directional albedo is kₛ at
-/// normal incidence and lower elsewhere. Phong's constant (n + 2)/(2π) does not fit it: 1.64 kₛ
-/// for h = 10, 3.29 kₛ for h = 100. The [`unnormalized`](Self::unnormalized) form is **not**
-/// conserving for small h: kₛ/C is πkₛ for h = 0, 2.09 kₛ for h = 1, 0.86 kₛ for h = 10.
-///
-/// J = h² ln h/(h − 1)³ − h/(h − 1)² − 1/(2(h − 1)) cancels around h = 1, where it is ⅓. It is
-/// computed as J = (1 + (1 + y)² A)/(2(h + 1)) with y = (h − 1)/(h + 1) and
-/// A = (artanh y − y)/y³ = ⅓ + y²/5 + y⁴/7 + …, where nothing cancels.
-///
-/// Sampled around the mirror direction with density (h − 1)/(2π ln h) / (h − hS + S), which leaves
-/// the factor S to the weight and can be drawn exactly. The directional albedo is an integral over
-/// the angle to the mirror direction, the one around it being elementary; it is good to the last
-/// digits for h = 0 and h ≥ ½, to 10⁻⁷ between, where the lobe has a steep rim.
-///
-/// C. Schlick, *A Fast Alternative to Phong's Specular Model*, Graphics Gems IV, 1994, 385–387.
-///
-/// ```
-/// use brdf::{Brdf, SchlickPower};
-/// use glam::DVec3;
-///
-/// let plastic = SchlickPower::new(DVec3::ONE, 10.0)?;
-/// assert!((plastic.eval(DVec3::Z, DVec3::Z).x - 1.1630481883582457).abs() < 1e-14);
-/// # Ok::<(), brdf::ParameterError>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SchlickPower<C = glam::Vec3, T = f32> {
-    specular: C,
-    exponent: T,
-    /// C.
-    constant: T,
-}
-
-impl<C, T> SchlickPower<C, T> {
-    /// A lobe with the given albedo at normal incidence and exponent.
+model! {
+    /// Schlick's rational lobe in place of Phong's power.
     ///
-    /// # Errors
-    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
-    pub fn new(specular: C, exponent: T) -> Result<Self, ParameterError>
-    where
-        T: Real,
-        C: Color<T>,
-    {
-        let lobe = Self::unnormalized(specular, exponent)?;
-        let one = T::one();
+    /// # Formula
+    /// ```text
+    /// f = kₛ C · S/(h − hS + S)        S = max(0, R·V)        R = 2N(N·L) − L
+    /// C = 1/(2πJ)        J = ∫₀¹ S²/(h − hS + S) dS        C = 1 in the unnormalised form
+    /// ```
+    parameters {
+        specular: C, UNIT, "kₛ", "directional albedo at normal incidence";
+        exponent: T, EXPONENT, "h", "exponent of the power that is replaced";
+    }
+    flags {
+        normalized: true, "false is [`unnormalized`](Self::unnormalized)";
+    }
+    constants {
         let (y, excess) = artanh_excess(exponent);
-        let twice_integral = (one + (one + y).squared() * excess) / (exponent + one);
-        Ok(Self { constant: T::lit(FRAC_1_PI) / twice_integral, ..lobe })
+        let twice_j = (T::one() + (T::one() + y).squared() * excess) / (exponent + T::one());
+        /// C.
+        c: T = if normalized { T::lit(FRAC_1_PI) / twice_j } else { T::one() };
     }
-
-    /// The lobe f = kₛ S/(h − hS + S).
     ///
-    /// # Errors
-    /// If a channel of `specular` is not in 0 … 1 or `exponent` not in 0 … 10⁸.
-    pub fn unnormalized(specular: C, exponent: T) -> Result<Self, ParameterError>
-    where
-        T: Real,
-        C: Color<T>,
-    {
-        let specular = check_lobe(specular, exponent)?;
-        Ok(Self { specular, exponent, constant: T::one() })
-    }
+    /// Meant for h ≥ 1, where Sʰ ≈ S/(h − hS + S) has the same value at S = 0 and the same value and
+    /// slope at S = 1; it stays well behaved down to h = 0, a constant. The tail is much heavier than
+    /// the power's: half of the peak is reached at S = h/(h + 1).
+    ///
+    /// J = h² ln h/(h − 1)³ − h/(h − 1)² − 1/(2(h − 1)) cancels around h = 1, where it is ⅓. It is
+    /// computed as J = (1 + (1 + y)² A)/(2(h + 1)) with y = (h − 1)/(h + 1) and
+    /// A = (artanh y − y)/y³ = ⅓ + y²/5 + y⁴/7 + …, where nothing cancels.
+    ///
+    /// # Energy
+    /// Reciprocal, to the last bit. Conserving with its own constant: the directional albedo is kₛ at
+    /// normal incidence and lower elsewhere. Phong's constant (n + 2)/(2π) does not fit it: 1.64 kₛ
+    /// for h = 10, 3.29 kₛ for h = 100. The [`unnormalized`](Self::unnormalized) form is **not**
+    /// conserving for small h: kₛ/C is πkₛ for h = 0, 2.09 kₛ for h = 1, 0.86 kₛ for h = 10.
+    ///
+    /// The directional albedo is an integral over the angle to the mirror direction, the one around
+    /// it being elementary; it is good to the last digits for h = 0 and h ≥ ½, to 10⁻⁷ between, where
+    /// the lobe has a steep rim.
+    ///
+    /// # Sampling
+    /// Around the mirror direction with density (h − 1)/(2π ln h) / (h − hS + S), which leaves the
+    /// factor S to the weight and can be drawn exactly.
+    ///
+    /// # Sources
+    /// C. Schlick, *A Fast Alternative to Phong's Specular Model*, Graphics Gems IV, 1994, 385–387.
+    ///
+    /// ```
+    /// use brdf::{Brdf, SchlickPower};
+    /// use glam::DVec3;
+    ///
+    /// let plastic = SchlickPower::new(DVec3::ONE, 10.0)?;
+    /// assert!((plastic.eval(DVec3::Z, DVec3::Z).x - 1.1630481883582457).abs() < 1e-14);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct SchlickPower<C = glam::Vec3, T = f32>;
+
+    /// A lobe with the given albedo at normal incidence and exponent.
+    pub fn new(normalized: true);
+    /// The lobe f = kₛ S/(h − hS + S).
+    pub fn unnormalized(normalized: false);
 }
 
 /// y = (h − 1)/(h + 1) and (artanh y − y)/y³, where artanh y = ½ ln h.
@@ -150,7 +133,7 @@ impl<T: Real, C> SchlickPower<C, T> {
     /// f cosθᵢ/pdf for kₛ = 1, for a direction at height `cos_i`.
     #[inline(always)]
     fn weight(&self, versine: T, cos_i: T) -> T {
-        let scale = self.constant * T::lit(TAU) * self.sampled_integral();
+        let scale = self.c * T::lit(TAU) * self.sampled_integral();
         scale * self.shape(versine) / self.sampled_shape(versine) * cos_i
     }
 
@@ -165,18 +148,13 @@ impl<T: Real, C> SchlickPower<C, T> {
     }
 }
 
-lift! {
-    [T: Real, C: Color<T>] SchlickPower<C, T> => SchlickPower<C::Over<U>, U>:
-    SchlickPower { specular: color, exponent: number, constant: number }
-}
-
 impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
     type Color = C;
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
         let above = both_above::<T>(wi, wo);
-        let value = self.constant * self.shape(mirror_versine::<T>(wi, wo));
+        let value = self.c * self.shape(mirror_versine::<T>(wi, wo));
         (self.specular * value).only_where(above)
     }
 

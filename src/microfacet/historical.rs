@@ -6,7 +6,7 @@ use super::cook_torrance::CookTorrance;
 use super::scaled::Scaled;
 use crate::brdf::Brdf;
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx};
-use crate::error::{ParameterError, Range};
+use crate::error::{ParameterError, range};
 use crate::fresnel::Fresnel;
 use crate::real::{Real, Vector};
 
@@ -34,7 +34,7 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     pub fn torrance_sparrow_1967(c: T, fresnel: F) -> Result<Self, ParameterError> {
-        Range::new(1e-5, 1e5).check("c", c)?;
+        range::SHARPNESS_1967.check("c", c)?;
         Ok(Self::new(Gaussian::new(T::lit(PI / 180.0) / c)?, fresnel))
     }
 }

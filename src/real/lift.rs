@@ -33,7 +33,7 @@ pub trait Lift<T: Real> {
 /// Implements [`Lift`] field by field: a `color`, a `number`, an array of `numbers`, a `part` that
 /// lifts itself, or an array of `parts`.
 macro_rules! lift {
-    ([$($generics:tt)*] $from:ty => $over:ty: $name:ident { $($field:ident: $kind:ident),* }) => {
+    ([$($generics:tt)*] $from:ty => $over:ty: $name:ident { $($field:ident: $kind:ident),* $(,)? }) => {
         impl<$($generics)*> $crate::real::Lift<T> for $from {
             type Over<U: $crate::real::Real> = $over;
 
@@ -59,9 +59,12 @@ macro_rules! lift {
     (@color $value:expr, $lift:ident) => { $crate::real::Color::<T>::lift($value, $lift) };
     (@number $value:expr, $lift:ident) => { $lift($value) };
     (@numbers $value:expr, $lift:ident) => { $value.map($lift) };
+    (@C $value:expr, $lift:ident) => { $crate::real::lift!(@color $value, $lift) };
+    (@T $value:expr, $lift:ident) => { $crate::real::lift!(@number $value, $lift) };
     (@part $value:expr, $lift:ident) => { $crate::real::Lift::<T>::lift(&$value, $lift) };
     (@parts $value:expr, $lift:ident) => {
         $value.each_ref().map(|part| $crate::real::Lift::<T>::lift(part, $lift))
     };
+    (@$type:ident $value:expr, $lift:ident) => { $crate::real::lift!(@part $value, $lift) };
 }
 pub(crate) use lift;

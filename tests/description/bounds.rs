@@ -63,20 +63,6 @@ fn depth_is_bounded_in_cbor() {
 }
 
 #[test]
-fn a_description_that_was_made_too_deep_cannot_be_built() {
-    let mut description: BrdfDescription = read(&nested_sums(0)).expect("a model");
-    for _ in 0..=MAX_DEPTH {
-        let weight = brdf::description::ColorDescription::Gray(1.0);
-        description = BrdfDescription::Sum(vec![brdf::description::WeightedBrdf {
-            weight,
-            brdf: description,
-        }]);
-    }
-    let error = description.build::<f64>().err().expect("too deep");
-    assert!(error.to_string().contains("at most 32 sums"), "{error}");
-}
-
-#[test]
 fn the_number_of_terms_is_bounded() {
     let sum = |terms: usize| {
         let term = r#"{"weight":1,"brdf":{"lambert":{"albedo":0.5}}}"#;
@@ -115,26 +101,26 @@ fn long_keys_are_not_repeated() {
     assert!(error.len() < 400, "{}", error.len());
 }
 
-/// Nor whatever the name of a metal, read or built.
+/// Nor whatever the name of a metal.
 #[test]
 fn long_names_are_not_repeated() {
-    let description = FresnelDescription::Metal("\n".repeat(60) + &"W".repeat(1_000_000));
-    let built = description.build::<f64>().err().expect("unknown").to_string();
-    assert_eq!(built, format!("metal: no material is called \"{}…\"", "W".repeat(40)));
-    let text = serde_json::to_string(&description).expect("it can be written");
+    let name = "\n".repeat(60) + &"W".repeat(1_000_000);
+    let text = serde_json::json!({"metal": name}).to_string();
     let read = serde_json::from_str::<FresnelDescription>(&text).expect_err("unknown").to_string();
-    assert_eq!(read, built);
+    assert_eq!(read, format!("metal: no material is called \"{}…\"", "W".repeat(40)));
 }
 
-/// A metal whose name stands between many spaces was found when built, but not when read again.
+/// A metal whose name stands between many spaces is found when read, when built and when read again.
 #[test]
 fn a_name_is_read_as_it_was_written() {
     let spaces = "\n".repeat(60);
-    let description = FresnelDescription::Metal(format!("{spaces}W{spaces}"));
+    let text = serde_json::json!({"metal": format!("{spaces}W{spaces}")}).to_string();
+    let description: FresnelDescription = serde_json::from_str(&text).expect("tungsten");
     let normal = description.build::<f64>().expect("tungsten").reflectance(1.0);
     assert!(normal.x > 0.4 && normal.x < 0.6, "{normal}");
-    let text = serde_json::to_string(&description).expect("it can be written");
-    let read: FresnelDescription = serde_json::from_str(&text).expect("it can be read");
+    let written = serde_json::to_string(&description).expect("it can be written");
+    assert_eq!(written, text);
+    let read: FresnelDescription = serde_json::from_str(&written).expect("it can be read");
     assert_eq!(read, description);
 }
 

@@ -7,3 +7,4 @@ mod bounds;
 mod build;
 mod forms;
 mod refusals;
+mod tables;

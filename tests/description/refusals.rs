@@ -2,8 +2,7 @@
 
 use brdf::ParameterError;
 use brdf::description::{
-    BrdfDescription, ColorDescription, DescriptionError, DistributionDescription,
-    FresnelDescription, Problem, RoughnessDescription,
+    BrdfDescription, DescriptionError, DistributionDescription, FresnelDescription, Path, Problem,
 };
 
 fn model_error(text: &str) -> String {
@@ -298,18 +297,27 @@ fn numbers_that_are_none_are_out_of_range() {
     }
 }
 
-/// A description that was not read but made is checked when it is built, with the same answer.
+/// Numbers that building makes of the values are checked again.
 #[test]
 fn building_checks_too() {
-    let roughness = RoughnessDescription::Anisotropic([0.5, f64::NAN]);
-    let description = DistributionDescription::Ggx { roughness };
-    let error: DescriptionError = description.build::<f32>().err().expect("out of range");
+    let text = r#"{"ggx": {"roughness": [0.5, 0.5]}}"#;
+    let description: DistributionDescription = serde_json::from_str(text).expect(text);
+    let wrong = |path: &Path<'_>, value: f64| {
+        if path.to_string() == "ggx.roughness[1]" { f32::NAN } else { value as f32 }
+    };
+    let error: DescriptionError = description.build_with(wrong).err().expect("out of range");
     assert_eq!(error.path(), "ggx.roughness[1]");
     let Problem::Parameter(error) = error.problem() else { panic!("{error}") };
     let _: &ParameterError = error;
     assert_eq!(error.range(), (1e-8, 1e4));
 
-    let description = BrdfDescription::Lambert { albedo: ColorDescription::Gray(2.0) };
-    let error = description.build::<f64>().err().expect("out of range");
-    assert_eq!(error.to_string(), "lambert.albedo must be between 0 and 1, not 2");
+    let text = r#"{"sum": [{"weight": 1, "brdf": {"lambert": {"albedo": 0.5}}}]}"#;
+    let description: BrdfDescription = serde_json::from_str(text).expect(text);
+    let error = |number: fn(&Path<'_>, f64) -> f64| {
+        description.build_with(number).err().expect("out of range").to_string()
+    };
+    let above = error(|_, value| 4.0 * value);
+    assert_eq!(above, "sum[0].brdf.lambert.albedo must be between 0 and 1, not 2");
+    let none = error(|path, value| if path.to_string() == "sum[0].weight" { 0.0 } else { value });
+    assert_eq!(none, "sum: total weight must be between 1e-30 and 1e30, not 0");
 }

@@ -1,7 +1,8 @@
 //! Schlick's, Hall's and Cook's approximations: what they promise and how far off they are.
 
 use brdf::fresnel::normal_incidence;
-use brdf::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
+use brdf::quadrature::integrate;
+use brdf::{Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall, Schlick};
 
 use super::fresnel::{conductor, cosines, dielectric};
 
@@ -15,6 +16,38 @@ fn schlick_falls_from_one_to_f0() {
         for pair in cosines.windows(2) {
             assert!(schlick.reflectance(pair[1]) <= schlick.reflectance(pair[0]), "{f0} {pair:?}");
         }
+    }
+}
+
+/// From one end to the other, monotonically but for rounding, with the average of a quadrature.
+#[test]
+fn general_schlick_goes_from_f0_to_f90() {
+    let mut cosines: Vec<f64> = cosines().into_iter().map(f64::from).collect();
+    cosines.sort_by(f64::total_cmp);
+    for (f0, f90) in [(0.0, 1.0), (0.04, 0.5), (0.9, 0.2), (0.3, 0.3)] {
+        for exponent in [0.01, 0.5, 1.0, 3.5, 5.0, 40.0, 1e4] {
+            let schlick = GeneralSchlick::new(f0, f90, exponent).unwrap();
+            assert_eq!((schlick.reflectance(1.0), schlick.reflectance(0.0)), (f0, f90));
+            for pair in cosines.windows(2) {
+                let [far, near] = [pair[0], pair[1]].map(|cos| schlick.reflectance(cos));
+                let at = format!("{f0} {f90} {exponent} {pair:?}: {far} {near}");
+                assert!((far - near) * (f90 - f0) >= -1e-15, "{at}");
+                assert!(near >= f0.min(f90) - 1e-16 && near <= f0.max(f90) + 1e-16, "{at}");
+                assert_eq!(near, schlick.reflectance(-pair[1]), "{at}");
+            }
+            // Gauss's quadrature is exact for polynomials, and not for much else.
+            if (1.0..100.0).contains(&exponent) {
+                let average = integrate(0.0, 1.0, |cos| 2.0 * cos * schlick.reflectance(cos));
+                let bound = if exponent == exponent.floor() { 1e-14 } else { 1e-9 };
+                let error = (schlick.average() - average).abs();
+                assert!(error < bound, "{f0} {f90} {exponent}: {error:e}");
+            }
+        }
+    }
+    for cos in cosines {
+        let (plain, general) = (Schlick::new(0.04), GeneralSchlick::new(0.04, 1.0, 5.0));
+        let off = plain.unwrap().reflectance(cos) - general.unwrap().reflectance(cos);
+        assert!(off.abs() < 1e-15, "{cos}: {off:e}");
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) static MUTANTS: [Mutant; 22] = [
     Mutant::new("Schlick's power", "sign in S/(h − hS + S)", SCHLICK,
         "cos / ▸(self.exponent * versine + cos)", Add, MINUS),
     Mutant::new("Schlick's power", "constant without 1/π", SCHLICK,
-        "constant: ▸T::lit(FRAC_1_PI) / twice_integral", Literal, ONE),
+        "{ ▸T::lit(FRAC_1_PI) / twice_j }", Literal, ONE),
     Mutant::new("directions", "bitangent with the wrong sign", FRAME,
         "let b = ▸n.x() * n.y() * a;", Mul, NEGATIVE).link(1),
     Mutant::new("directions", "half vector not normalised", DIRECTION,

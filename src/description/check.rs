@@ -1,0 +1,64 @@
+//! What the range of a single number cannot tell.
+
+use glam::DVec3;
+
+use super::error::{DescriptionError, Problem};
+use super::metal::metal;
+use super::path::Path;
+use super::value::{Described, Numbers, Value};
+use crate::error::range;
+use crate::real::Color;
+
+/// Checks a form whose numbers are in their ranges, and whose parts are checked.
+pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), DescriptionError> {
+    match described.form.name() {
+        "sum" => total(described, "total weight", path),
+        "mixture" => total(described, "sum of weights", path),
+        "metal" => metal(described.text("name")).map(drop).map_err(|problem| path.error(problem)),
+        "cook_torrance" if described.word("shadowing") != "v_cavity" => {
+            match described.get("distribution") {
+                Some((_, Value::Form(distribution))) if has_smith(distribution) => Ok(()),
+                _ => Err(path.key("shadowing").error(Problem::NoSmith)),
+            }
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether the weights of a list, averaged over their channels, have a sum to divide by. It is
+/// formed as the sums and mixtures of the crate form it.
+fn total(list: &Described, name: &'static str, path: &Path<'_>) -> Result<(), DescriptionError> {
+    let is_color = name == "total weight";
+    let mean = |term: &Value| match term {
+        Value::Term(term) => match term.get("weight") {
+            Some((_, Value::Numbers(Numbers::One(weight)))) if is_color => {
+                Color::<f64>::mean(DVec3::splat(*weight))
+            }
+            Some((_, Value::Numbers(Numbers::One(weight)))) => *weight,
+            Some((_, Value::Numbers(Numbers::Three(weight)))) => {
+                Color::<f64>::mean(DVec3::from(*weight))
+            }
+            _ => 0.0,
+        },
+        _ => 0.0,
+    };
+    let total = list.values.iter().fold(0.0, |sum, term| sum + mean(term));
+    let checked = range::TOTAL_WEIGHT.check::<f64, _>(name, total);
+    checked.map_err(|error| path.error(Problem::Parameter(error)))
+}
+
+/// Whether Smith's shadowing is known for a distribution, as
+/// [`has_smith`](crate::AnyDistribution::has_smith) says of what is built.
+fn has_smith(distribution: &Described) -> bool {
+    match distribution.form.name() {
+        "beckmann" | "ggx" => true,
+        "mixture" => distribution.values.iter().all(|term| match term {
+            Value::Term(term) => match term.get("distribution") {
+                Some((_, Value::Form(distribution))) => has_smith(distribution),
+                _ => false,
+            },
+            _ => false,
+        }),
+        _ => false,
+    }
+}

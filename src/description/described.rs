@@ -1,0 +1,142 @@
+//! The descriptions themselves.
+
+use core::cell::RefCell;
+
+use super::brdf::brdf;
+use super::build::Build;
+use super::distribution::distribution;
+use super::error::DescriptionError;
+use super::fresnel::fresnel;
+use super::path::Path;
+use super::read::read;
+use super::value::Described;
+use crate::any::AnyBrdf;
+use crate::distribution::AnyDistribution;
+use crate::fresnel::AnyFresnel;
+use crate::parameter::Part;
+use crate::real::Real;
+
+/// Declares the description of a part: what is read and written as data, and what builds it.
+macro_rules! description {
+    ($(#[$doc:meta])* pub struct $name:ident: $part:ident => $any:ident by $build:ident;) => {
+        $(#[$doc])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct $name(Described);
+
+        impl $name {
+            /// What is described, in a number of choice.
+            ///
+            /// # Errors
+            /// If a value is not in its range in this number: reading has checked it in `f64`.
+            pub fn build<T: Real>(&self) -> Result<$any<T>, DescriptionError> {
+                self.build_with(|_, value| T::lit(value))
+            }
+
+            /// What is described, of numbers that are made of the values and their places: symbols,
+            /// numbers with derivatives, or other values for some of them.
+            ///
+            /// Every number comes by, also a default and each channel of a colour in a list; one
+            /// for all channels comes once. The indices of a metal are no numbers of a description,
+            /// and a Schlick term whose `f90` and `exponent` are the defaults has neither.
+            ///
+            /// ```
+            /// use brdf::Brdf;
+            /// use brdf::description::BrdfDescription;
+            /// use glam::DVec3;
+            ///
+            /// let text = r#"{"oren_nayar": {"albedo": [0.8, 0.4, 0.2], "sigma": 0.1}}"#;
+            /// let plaster: BrdfDescription = serde_json::from_str(text)?;
+            /// let mut places = Vec::new();
+            /// let rougher = plaster.build_with(|path, value| {
+            ///     places.push(path.to_string());
+            ///     if path.to_string() == "oren_nayar.sigma" { 0.3 } else { value }
+            /// })?;
+            /// assert_eq!(places[2..], ["oren_nayar.albedo[2]", "oren_nayar.sigma"]);
+            ///
+            /// let text = r#"{"oren_nayar": {"albedo": [0.8, 0.4, 0.2], "sigma": 0.3}}"#;
+            /// let described = serde_json::from_str::<BrdfDescription>(text)?.build()?;
+            /// assert_eq!(rougher.eval(DVec3::Z, DVec3::Z), described.eval(DVec3::Z, DVec3::Z));
+            /// # Ok::<(), Box<dyn std::error::Error>>(())
+            /// ```
+            ///
+            /// # Errors
+            /// If a number is not in the range of its parameter.
+            pub fn build_with<T: Real>(
+                &self,
+                number: impl FnMut(&Path<'_>, f64) -> T,
+            ) -> Result<$any<T>, DescriptionError> {
+                let number = RefCell::new(number);
+                let number = |path: &Path<'_>, value| (number.borrow_mut())(path, value);
+                let path = Path::ROOT;
+                $build(&Build {
+                    described: &self.0,
+                    path: path.key(self.0.form.name()),
+                    number: &number,
+                })
+            }
+        }
+
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+                self.0.serialize(to)
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+                read(Part::$part, from).map(Self)
+            }
+        }
+    };
+}
+
+description! {
+    /// A model of reflection. The keys are the parameters of the type with the same name.
+    ///
+    /// ```
+    /// use brdf::Brdf;
+    /// use brdf::description::BrdfDescription;
+    /// use glam::Vec3;
+    ///
+    /// let plastic: BrdfDescription = serde_json::from_str(r#"{"sum": [
+    ///     {"weight": 0.9, "brdf": {"lambert": {"albedo": [0.8, 0.2, 0.1]}}},
+    ///     {"weight": 0.1, "brdf": {"phong": {"specular": 1, "exponent": 40}}}
+    /// ]}"#)?;
+    /// let plastic = plastic.build::<f32>()?;
+    /// assert!((plastic.albedo(Vec3::Z).x - 0.82).abs() < 1e-6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub struct BrdfDescription: Brdf => AnyBrdf by brdf;
+}
+
+description! {
+    /// A Fresnel term. The keys are the parameters of the type with the same name.
+    ///
+    /// ```
+    /// use brdf::Fresnel;
+    /// use brdf::description::FresnelDescription;
+    ///
+    /// let glass: FresnelDescription = serde_json::from_str(r#"{"dielectric": {"ior": 1.5}}"#)?;
+    /// let glass = glass.build::<f64>()?;
+    /// assert!((glass.reflectance(1.0).x - 0.04).abs() < 1e-15);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub struct FresnelDescription: Fresnel => AnyFresnel by fresnel;
+}
+
+description! {
+    /// A distribution of facet normals. The keys are the parameters of the type with the same name.
+    ///
+    /// ```
+    /// use brdf::Distribution;
+    /// use brdf::description::DistributionDescription;
+    /// use glam::DVec3;
+    ///
+    /// let text = r#"{"beckmann": {"roughness": [0.2, 0.5]}}"#;
+    /// let brushed: DistributionDescription = serde_json::from_str(text)?;
+    /// let density = brushed.build::<f64>()?.density(DVec3::Z);
+    /// assert!((density - 1.0 / (std::f64::consts::PI * 0.2 * 0.5)).abs() < 1e-14);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub struct DistributionDescription: Distribution => AnyDistribution by distribution;
+}

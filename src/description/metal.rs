@@ -1,0 +1,54 @@
+//! Metals by name.
+
+use glam::DVec3;
+
+use super::error::Problem;
+
+/// The measured index of a metal, alloy or semiconductor at 650, 550 and 450 nm: its real and its
+/// imaginary part.
+#[cfg(feature = "materials")]
+pub(super) fn metal(name: &str) -> Result<[DVec3; 2], Problem> {
+    use alloc::format;
+    use alloc::string::ToString;
+
+    use super::place::beginning;
+    use crate::materials::{Kind, LookupError, find};
+
+    let material = find(name).map_err(|error| {
+        let error = match error {
+            LookupError::Unknown { name, nearest } => {
+                LookupError::Unknown { name: beginning(&name), nearest }
+            }
+            ambiguous => ambiguous,
+        };
+        Problem::Metal(error.to_string())
+    })?;
+    if material.kind() == Kind::Dielectric {
+        return Err(Problem::Metal(format!(
+            "{} is no metal; describe it as a dielectric by its index",
+            material.key()
+        )));
+    }
+    let index = material.refractive_index(DVec3::new(650.0, 550.0, 450.0));
+    let index = index.map_err(|error| Problem::Metal(error.to_string()))?;
+    Ok([index.eta, index.k])
+}
+
+#[cfg(not(feature = "materials"))]
+pub(super) fn metal(_: &str) -> Result<[DVec3; 2], Problem> {
+    Err(Problem::Metal("metals by name need the feature `materials`".into()))
+}
+
+#[cfg(all(test, not(feature = "materials")))]
+mod tests {
+    use crate::description::FresnelDescription;
+
+    #[test]
+    fn metals_need_their_feature() {
+        let error = serde_json::from_str::<FresnelDescription>(r#"{"metal": "Au"}"#).err();
+        assert_eq!(
+            error.map(|error| alloc::string::ToString::to_string(&error)).as_deref(),
+            Some("metal: metals by name need the feature `materials`")
+        );
+    }
+}
