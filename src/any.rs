@@ -7,6 +7,7 @@ use crate::distribution::AnyDistribution;
 use crate::fresnel::AnyFresnel;
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{AnyShadowing, CookTorrance, Scaled};
+use crate::planetary::{LommelSeeliger, Minnaert};
 use crate::real::{Color, Real, members};
 use crate::sum::WeightedSum;
 
@@ -48,6 +49,10 @@ members! {
         BlinnPhong(BlinnPhong<C, T>),
         /// Schlick's rational stand-in for a power of the cosine.
         SchlickPower(SchlickPower<C, T>),
+        /// Minnaert's law.
+        Minnaert(Minnaert<C, T>),
+        /// The law of Lommel and Seeliger.
+        LommelSeeliger(LommelSeeliger<C, T>),
         /// The microfacet model.
         CookTorrance(AnyCookTorrance<T, C>): generic,
         /// A printed form of the microfacet model.

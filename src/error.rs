@@ -196,6 +196,10 @@ ranges! {
     K = 0.0, 1e4, "0 … 10⁴";
     /// Exponent of the approach to the edge of a Fresnel term.
     EDGE_EXPONENT = 1e-2, 1e4, "10⁻² … 10⁴";
+    /// Limb darkening of a planet's disc.
+    LIMB_DARKENING = 0.5, 1e8, "½ … 10⁸";
+    /// Asymmetry of a phase function.
+    PHASE = -0.999999, 0.999999, "−0.999999 … 0.999999";
     /// Angle at which the distributions of 1977 have fallen to one half, radians.
     HALF_WIDTH = 2e-4, 1.57, "2·10⁻⁴ … 1.57";
     /// Sharpness of the distribution of 1967, 1/degree.

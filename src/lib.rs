@@ -31,6 +31,7 @@ pub mod guide;
 pub mod materials;
 pub mod microfacet;
 pub mod parameter;
+pub mod planetary;
 pub mod quadrature;
 mod real;
 mod sampling;
@@ -59,5 +60,6 @@ pub use microfacet::{
     SmithCorrelated, SmithSeparable, VCavity,
 };
 pub use parameter::Parameter;
+pub use planetary::{LommelSeeliger, Minnaert};
 pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

@@ -9,6 +9,7 @@ use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::{Beckmann, Blinn1977};
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
+use crate::planetary::{LommelSeeliger, Minnaert};
 use crate::real::Real;
 use crate::sum::WeightedSum;
 
@@ -41,6 +42,8 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
             let new = if normalized { SchlickPower::new } else { SchlickPower::unnormalized };
             at.made(new(specular, exponent))?.into()
         }
+        "minnaert" => at.made(Minnaert::new(at.color("albedo")?, at.number("k")?))?.into(),
+        "lommel_seeliger" => at.made(LommelSeeliger::new(at.color("w")?, at.number("xi")?))?.into(),
         "cook_torrance" => {
             let distribution = at.part("distribution", distribution)?;
             let fresnel = at.part("fresnel", fresnel)?;

@@ -5,6 +5,7 @@ use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
 use crate::fresnel::{Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall};
 use crate::glossy::{BlinnPhong, Phong, SchlickPower};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
+use crate::planetary::{LommelSeeliger, Minnaert};
 
 /// A form of description: its name and what stands behind it.
 ///
@@ -135,12 +136,14 @@ macro_rules! form {
     }};
 }
 
-static BRDF_FORMS: [Form; 10] = [
+static BRDF_FORMS: [Form; 12] = [
     form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
     form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
     form!(Brdf "phong": Keys <Phong>::PARAMETERS),
     form!(Brdf "blinn_phong": Keys <BlinnPhong>::PARAMETERS),
     form!(Brdf "schlick_power": Keys <SchlickPower>::PARAMETERS),
+    form!(Brdf "minnaert": Keys <Minnaert>::PARAMETERS),
+    form!(Brdf "lommel_seeliger": Keys <LommelSeeliger>::PARAMETERS),
     form!(Brdf "cook_torrance": Keys &[FACETS, REFLECTANCE, SHADOWING]),
     form!(Brdf "torrance_sparrow_1967": Keys &[
         model!(@row c: T, SHARPNESS_1967, "c", "sharpness of the distribution, 1/degree"),

@@ -1,0 +1,208 @@
+use core::f64::consts::FRAC_1_PI;
+
+use super::phase;
+use crate::brdf::{Brdf, Sample};
+use crate::direction::{above_or_normal, above_surface, both_above};
+use crate::frame::Frame;
+use crate::parameter::model;
+use crate::quadrature::integrate;
+use crate::real::{Color, Mask, Real, Vector};
+use crate::sampling::uniform;
+
+model! {
+    /// The law of Lommel and Seeliger: light that the grains of a dark surface scatter once.
+    ///
+    /// # Formula
+    /// ```text
+    /// f = w p(g)/(4π (N·L + N·V))
+    /// p = (1 − ξ²)/(1 + 2ξ cos g + ξ²)^(3/2)    cos g = L·V
+    /// ```
+    parameters {
+        w: C, UNIT, "w", "single scattering albedo: fraction of the light that a grain scatters";
+        xi: T, PHASE = 0.0, "ξ", "asymmetry of Henyey and Greenstein's phase function p; below 0 grains scatter back";
+    }
+    /// | g | | phase angle between light and viewer; 0 at full moon | 0 … π |
+    ///
+    /// With ξ = 0 grains scatter evenly, and the full disc is equally bright up to its limb, as the full
+    /// moon nearly is.
+    ///
+    /// # Energy
+    /// Reciprocal, to the last bit. Conserving: what is scattered more than once is left out. For ξ = 0
+    /// the directional albedo is w/2 · (1 − μ ln(1 + 1/μ)) with μ = N·V, at most w/2; otherwise it is an
+    /// integral over the phase angle, the one over the azimuth around the viewer being elementary,
+    /// good to 10⁻⁷.
+    ///
+    /// # Sampling
+    /// With the phase function around the viewer; what falls below the surface is mirrored at it.
+    /// The density is (p(g) + p(g*))/4π, g* belonging to the mirror image, and a sample weighs
+    /// w p(g)/(p(g) + p(g*)) · N·L/(N·L + N·V), never above w.
+    ///
+    /// # Sources
+    /// H. von Seeliger 1887, E. Lommel 1889; as a BRDF in B. Hapke, *Theory of Reflectance and
+    /// Emittance Spectroscopy*, Cambridge University Press, 2nd edition 2012, section 8.5. L. G. Henyey, J. L.
+    /// Greenstein, *Diffuse radiation in the Galaxy*, Astrophysical Journal 93, 1941,
+    /// [doi:10.1086/144246](https://doi.org/10.1086/144246).
+    ///
+    /// ```
+    /// use brdf::{Brdf, LommelSeeliger};
+    /// use glam::DVec3;
+    ///
+    /// let dust = LommelSeeliger::new(DVec3::splat(0.3), 0.0)?;
+    /// assert!((dust.eval(DVec3::Z, DVec3::Z).x - 0.011936620731892).abs() < 1e-15); // w/8π
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub struct LommelSeeliger<C = glam::Vec3, T = f32>;
+
+    /// A surface of grains of the given single scattering albedo and asymmetry.
+    pub fn new;
+}
+
+impl<C, T: Real> LommelSeeliger<C, T> {
+    /// p(g)/4π, and with that of the mirror image of `wi` below the surface.
+    #[inline(always)]
+    fn scattered(&self, wi: T::Vec3, wo: T::Vec3) -> (T, T) {
+        let image = Vector::new(wi.x(), wi.y(), -wi.z());
+        let above = phase::density(self.xi, wi, wo);
+        (above, above + phase::density(self.xi, image, wo))
+    }
+
+    /// The directional albedo for w = 1: the mean of N·L/(N·L + N·V), 0 below the surface, over the
+    /// scattered light.
+    ///
+    /// Directions of one phase angle g form a circle around the viewer, with N·L = c + b cosφ,
+    /// c = N·V cos g, b = sinθₒ sin g. It lies above the surface up to g = π/2 − θₒ, is cut up to
+    /// π/2 + θₒ, and lies below it beyond.
+    fn relative_albedo(&self, wo: T::Vec3) -> T {
+        let (zero, one) = (T::zero(), T::one());
+        let viewer: T::Vec3 = Vector::normalize_or_normal(above_or_normal::<T, _>(wo));
+        let mu = viewer.z();
+        let sin_squared = viewer.x().squared() + viewer.y().squared();
+        let sin = sin_squared.sqrt();
+        let circle = |u: T| {
+            let (versine, antiversine) = phase::sample(self.xi, u);
+            mean_over_circle(mu, sin, versine, antiversine)
+        };
+        let first = phase::distribution(self.xi, -sin);
+        let second = phase::distribution(self.xi, sin);
+        let width = second - first;
+        // At both of its ends the arc grows like a root.
+        let cut = integrate(zero, one, |t: T| {
+            let place = first + width * t * t * (T::lit(3.0) - T::lit(2.0) * t);
+            circle(place) * (T::lit(6.0) * t * (one - t) * width)
+        });
+        cut + integrate(second, one, circle)
+    }
+}
+
+/// The mean of N·L/(N·L + N·V), 0 below the surface, over a circle around the viewer.
+///
+/// ```text
+/// (1/π) ∫₀^Φ 1 − μ/(a + b cosφ) dφ = Φ/π − μ J/π    a = c + μ    cosΦ = −c/b
+/// J = 2/(a + b) τ F(r τ²)    r = (a − b)/(a + b)    τ = tan(Φ/2)    F(s) = arctan(√s)/√s
+/// ```
+#[inline(always)]
+fn mean_over_circle<T: Real>(mu: T, sin: T, versine: T, antiversine: T) -> T {
+    let (zero, one, two) = (T::zero(), T::one(), T::lit(2.0));
+    let tiny = T::lit(1e-30);
+    let (b, c) = (sin * (versine * antiversine).max(zero).sqrt(), mu * (one - versine));
+    let a = mu * antiversine;
+    // Of the circle's highest and lowest points, and of τ² = above/below.
+    let (above, below) = ((b + c).max(zero), (b - c).max(zero));
+    let visible = above.gt(zero);
+    let half_angle = above.max(tiny).sqrt().atan2(below.max(tiny).sqrt());
+    let (sum, difference) = ((a + b).max(tiny), a - b);
+    // r τ² = part/whole, whose sign decides between arctan and artanh.
+    let (part, whole) = (difference * above, sum * below);
+    let sums = sum * difference.abs();
+    let roots = (part.abs().max(tiny).sqrt(), whole.max(tiny).sqrt());
+    let arc_tangent = roots.0.atan2(roots.1);
+    let ratio = (roots.0 / roots.1).min(T::lit(1.0 - 1e-7));
+    let arc_artanh = T::lit(0.5) * (two * ratio / (one - ratio)).ln_1p();
+    let arc = T::select(difference.gt(zero), arc_tangent, arc_artanh);
+    let exact = two * arc / sums.max(tiny).sqrt();
+    // Next to r = 0 both are a series.
+    let small = part.abs().lt(whole * T::lit(1e-4));
+    let s = part / T::select(small, whole, one).max(tiny);
+    let s = s.only_where(small);
+    let series = one - s * (T::lit(1.0 / 3.0) - s * (T::lit(0.2) - s * T::lit(1.0 / 7.0)));
+    let tau = (above / below.max(tiny)).sqrt();
+    let j = T::select(small, two * tau.only_where(small) * series / sum, exact);
+    let mean = two * half_angle * T::lit(FRAC_1_PI) - mu * j * T::lit(FRAC_1_PI);
+    mean.clamp(zero, one).only_where(visible)
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for LommelSeeliger<C, T> {
+    type Color = C;
+
+    #[inline(always)]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        let above = both_above::<T>(wi, wo);
+        let cosines = T::select(above, wi.z() + wo.z(), T::one());
+        let value = (phase::density(self.xi, wi, wo) / cosines).min(T::max_finite());
+        (self.w * value).only_where(above)
+    }
+
+    #[inline(always)]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let (_, density) = self.scattered(wi, wo);
+        density.only_where(both_above::<T>(wi, wo))
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        let [u, turn] = uniform(u);
+        let viewer: T::Vec3 = Vector::normalize_or_normal(above_or_normal::<T, _>(wo));
+        let (versine, antiversine) = phase::sample(self.xi, u);
+        let sin = (versine * antiversine).max(T::zero()).sqrt();
+        let (sin_phi, cos_phi) = turn.sin_cos_turns();
+        let cos = T::one() - versine;
+        let around = Vector::new(sin * cos_phi, sin * sin_phi, cos);
+        let drawn: T::Vec3 = Frame::from_normal(viewer).to_world(around);
+        let wi: T::Vec3 = Vector::new(drawn.x(), drawn.y(), drawn.z().abs());
+        let above = both_above::<T>(wi, wo);
+        let (scattered, pdf) = self.scattered(wi, wo);
+        let cosines = T::select(above, wi.z() + wo.z(), T::one());
+        let weight = scattered / pdf.max(T::lit(1e-30)) * (wi.z() / cosines);
+        Sample { wi, weight: self.w * weight, pdf }.only_where(above.and(pdf.gt(T::zero())))
+    }
+
+    fn albedo(&self, wo: T::Vec3) -> C {
+        (self.w * self.relative_albedo(wo)).only_where(above_surface::<T, _>(wo))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use core::f64::consts::PI;
+
+    use glam::DVec3;
+
+    use super::*;
+
+    /// The closed form for grains that scatter evenly.
+    #[test]
+    fn the_albedo_of_even_scattering_is_the_closed_form() {
+        let dust = LommelSeeliger::new(1.0_f64, 0.0).unwrap();
+        for step in 1..=200 {
+            let mu = f64::from(step) / 200.0;
+            let wo = DVec3::new((1.0 - mu * mu).sqrt(), 0.0, mu);
+            let want = 0.5 * (1.0 - mu * (1.0 / mu).ln_1p());
+            let got = dust.albedo(wo);
+            assert!((got - want).abs() < 1e-7, "{mu}: {got} {want}");
+        }
+    }
+
+    #[test]
+    fn the_distribution_function_inverts_the_samples() {
+        for xi in [-0.999, -0.5, -1e-3, 0.0, 1e-3, 0.3, 0.9, 0.999] {
+            for step in 0..=50 {
+                let u = f64::from(step) / 50.0;
+                let (versine, antiversine) = phase::sample(xi, u);
+                assert!((versine + antiversine - 2.0).abs() < 1e-12, "{xi} {u}");
+                let got = phase::distribution(xi, 1.0 - versine);
+                assert!((got - u).abs() < 1e-9, "{xi} {u} {got}");
+            }
+        }
+        assert!((phase::density(0.0, DVec3::X, DVec3::Z) * 4.0 * PI - 1.0).abs() < 1e-15);
+    }
+}
