@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use crate::common::measure::sampling::WEIGHT_ULPS;
-use crate::common::measure::sampling::chi_squared::least_of;
-use crate::common::mutation::mutant::Outcome;
 use crate::row::{ANGLES, PAIRS, Row, SIZE};
+use brdf_checks::measure::sampling::WEIGHT_ULPS;
+use brdf_checks::measure::sampling::chi_squared::least_of;
+use brdf_checks::mutation::mutant::Outcome;
 
 const HEAD: &str = "\
 # What was measured of every model

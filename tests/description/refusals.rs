@@ -5,6 +5,8 @@ use brdf::description::{
     BrdfDescription, ColorDescription, DescriptionError, DistributionDescription,
     FresnelDescription, Problem, RoughnessDescription,
 };
+use brdf_checks::models;
+use serde_json::{Value, json};
 
 fn model_error(text: &str) -> String {
     serde_json::from_str::<BrdfDescription>(text).expect_err(text).to_string()
@@ -312,4 +314,85 @@ fn building_checks_too() {
     let description = BrdfDescription::Lambert { albedo: ColorDescription::Gray(2.0) };
     let error = description.build::<f64>().err().expect("out of range");
     assert_eq!(error.to_string(), "lambert.albedo must be between 0 and 1, not 2");
+}
+
+/// A value inside a description: where it stands for a reader and for an error, and what it is.
+struct Spot {
+    pointer: String,
+    path: String,
+    /// An object with the keys of a form, not one that names a form.
+    has_keys: bool,
+}
+
+impl Spot {
+    fn inner(&self, key: &str, has_keys: bool) -> Self {
+        let dot = if self.path.is_empty() { "" } else { "." };
+        let path = match key.parse::<usize>() {
+            Ok(index) => format!("{}[{index}]", self.path),
+            Err(_) => format!("{}{dot}{key}", self.path),
+        };
+        Self { pointer: format!("{}/{key}", self.pointer), path, has_keys }
+    }
+
+    /// This value and all inside it.
+    fn collect(self, value: &Value, all: &mut Vec<Self>) {
+        match value {
+            Value::Object(keys) => {
+                for (key, inner) in keys {
+                    self.inner(key, !self.has_keys).collect(inner, all);
+                }
+            }
+            Value::Array(list) => {
+                for (index, inner) in list.iter().enumerate() {
+                    self.inner(&index.to_string(), true).collect(inner, all);
+                }
+            }
+            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+        }
+        all.push(self);
+    }
+}
+
+/// Every value of every model of the registry, one mistake at a time: the error begins with its
+/// place.
+#[test]
+fn every_mistake_names_its_place() {
+    let mut mistakes = 0;
+    for row in models::rows() {
+        let right = serde_json::to_value(&row.brdf).expect("JSON");
+        let mut refused = |spot: &Spot, mistake: &dyn Fn(&mut Value), message: &str| {
+            let mut wrong = right.clone();
+            mistake(wrong.pointer_mut(&spot.pointer).expect("it is there"));
+            let text = wrong.to_string();
+            let error = model_error(&text);
+            assert!(error.starts_with(&format!("{}{message}", spot.path)), "{text}: {error}");
+            mistakes += 1;
+        };
+        let mut spots = Vec::new();
+        let whole = Spot { pointer: String::new(), path: String::new(), has_keys: false };
+        whole.collect(&right, &mut spots);
+        for spot in &spots {
+            match right.pointer(&spot.pointer).expect("it is there") {
+                Value::Number(_) => {
+                    for number in [-1e300, 1e300] {
+                        refused(spot, &|value| *value = json!(number), " must be between ");
+                    }
+                    refused(spot, &|value| *value = json!("?"), ": invalid type: string \"?\"");
+                }
+                Value::Object(_) if spot.has_keys => {
+                    let add = |value: &mut Value| value["?"] = json!(0);
+                    refused(spot, &add, ".?: unknown name, expected ");
+                }
+                Value::String(_) => {
+                    let word = |value: &mut Value| *value = json!("?");
+                    refused(spot, &word, ".?: unknown name, expected one of ");
+                }
+                Value::Bool(_) => {
+                    refused(spot, &|value| *value = json!(1), ": invalid type: integer `1`");
+                }
+                Value::Null | Value::Array(_) | Value::Object(_) => {}
+            }
+        }
+    }
+    assert!(mistakes > 1000, "{mistakes}");
 }

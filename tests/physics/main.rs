@@ -1,12 +1,9 @@
-//! What holds of every model of the registry, `tests/common/models`. One program, because building
-//! all models takes longer than testing them.
-
-#[path = "../common/mod.rs"]
-mod common;
+//! What holds of every model of the registry, `tests/registry.jsonl`, and of the formulas it is made
+//! of.
 
 mod batch;
-mod descriptions;
 mod energy;
+mod lift;
 mod mutants;
 mod numbers;
 mod precision;
@@ -14,3 +11,4 @@ mod reciprocity;
 mod registry;
 mod robustness;
 mod sampling;
+mod values;

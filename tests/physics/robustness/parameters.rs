@@ -13,7 +13,7 @@ use brdf::{
 };
 
 use super::inputs::{UNIFORMS, directions};
-use crate::common::sound::assert_sound;
+use brdf_checks::sound::assert_sound;
 
 type Boxed<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
 type Term<T> = Box<dyn Fresnel<T, Color = <T as Real>::Vec3>>;
