@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use std::path::Path;
 
 use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescription};
-use brdf_checks::models::{self, Row};
+use brdf_checks::models::{self, Bounds, Promises, Row};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
@@ -188,4 +188,15 @@ fn every_fresnel_term_is_registered() {
 fn names_are_unique() {
     let names: BTreeSet<_> = models::rows().iter().map(|row| &row.name).collect();
     assert_eq!(names.len(), models::rows().len());
+}
+
+#[test]
+fn the_bounds_of_a_form_hold_for_its_lines() {
+    for row in models::rows() {
+        let Promises { gain, bounds, largest_weight, .. } = row.promises;
+        let albedo = gain.map_or(1.0, |gain| gain.albedo);
+        let bounds = bounds.unwrap_or(Bounds { albedo: 1.0, weight: largest_weight });
+        let within = albedo <= bounds.albedo && largest_weight <= 1.01 * bounds.weight;
+        assert!(within, "{}: {bounds:?}", row.name);
+    }
 }

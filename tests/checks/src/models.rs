@@ -48,6 +48,9 @@ pub struct Promises {
     pub one_to_one: bool,
     /// The density jumps at a right angle from the mirror direction.
     pub jumps: bool,
+    /// What holds whatever the parameters, for colours up to 1; a model that conserves energy has an
+    /// albedo of 1 at most and samples of its `largest_weight`.
+    pub bounds: Option<Bounds>,
 }
 
 impl Default for Promises {
@@ -60,6 +63,7 @@ impl Default for Promises {
             grooves: 0.0,
             one_to_one: true,
             jumps: false,
+            bounds: None,
         }
     }
 }
@@ -78,6 +82,15 @@ pub struct Gain {
     pub albedo: f64,
     /// The polar angle of the viewer where it is reached.
     pub degrees: f64,
+}
+
+/// The largest albedo and weight of a sample of all models of one form.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Bounds {
+    pub albedo: f64,
+    /// But for what grooves add.
+    pub weight: f64,
 }
 
 /// One model under test.
