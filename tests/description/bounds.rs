@@ -72,7 +72,7 @@ fn a_description_that_was_made_too_deep_cannot_be_built() {
             brdf: description,
         }]);
     }
-    let error = description.build::<f64>().err().expect("too deep");
+    let error = description.build::<f64>().expect_err("too deep");
     assert!(error.to_string().contains("at most 32 sums"), "{error}");
 }
 
@@ -119,7 +119,7 @@ fn long_keys_are_not_repeated() {
 #[test]
 fn long_names_are_not_repeated() {
     let description = FresnelDescription::Metal("\n".repeat(60) + &"W".repeat(1_000_000));
-    let built = description.build::<f64>().err().expect("unknown").to_string();
+    let built = description.build::<f64>().expect_err("unknown").to_string();
     assert_eq!(built, format!("metal: no material is called \"{}…\"", "W".repeat(40)));
     let text = serde_json::to_string(&description).expect("it can be written");
     let read = serde_json::from_str::<FresnelDescription>(&text).expect_err("unknown").to_string();

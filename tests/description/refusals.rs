@@ -305,14 +305,14 @@ fn numbers_that_are_none_are_out_of_range() {
 fn building_checks_too() {
     let roughness = RoughnessDescription::Anisotropic([0.5, f64::NAN]);
     let description = DistributionDescription::Ggx { roughness };
-    let error: DescriptionError = description.build::<f32>().err().expect("out of range");
+    let error: DescriptionError = description.build::<f32>().expect_err("out of range");
     assert_eq!(error.path(), "ggx.roughness[1]");
     let Problem::Parameter(error) = error.problem() else { panic!("{error}") };
     let _: &ParameterError = error;
     assert_eq!(error.range(), (1e-8, 1e4));
 
     let description = BrdfDescription::Lambert { albedo: ColorDescription::Gray(2.0) };
-    let error = description.build::<f64>().err().expect("out of range");
+    let error = description.build::<f64>().expect_err("out of range");
     assert_eq!(error.to_string(), "lambert.albedo must be between 0 and 1, not 2");
 }
 

@@ -1,31 +1,54 @@
 //! No public model and no form of the descriptions is missing from the registry.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Debug;
-use std::path::Path;
 
 use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescription};
 use brdf_checks::models::{self, Bounds, Promises, Row};
+use brdf_checks::path;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-/// The types of the crate that implement a trait over numbers, read from the sources. Descriptions
-/// build models of these types and are tested to equal them.
-fn implementors(of: &str) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    let mut rooms = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+/// The sources of the crate without comments and tests, each as one line.
+fn sources() -> Vec<String> {
+    let mut sources = Vec::new();
+    let mut rooms = vec![path("src")];
     while let Some(room) = rooms.pop() {
         for entry in room.read_dir().expect("a directory of sources") {
             let path = entry.expect("an entry of it").path();
             if path.is_dir() {
-                rooms.extend((!path.ends_with("description")).then_some(path));
+                rooms.push(path);
             } else if path.extension().is_some_and(|extension| extension == "rs") {
                 let text = std::fs::read_to_string(&path).expect("a source file");
                 // Documentation shows how users write their own; tests have helpers.
                 let text = text.split("#[cfg(test)]").next().unwrap_or_default();
                 let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-                let code: String = code.collect::<Vec<_>>().join(" ");
-                found.extend(code.split("impl").filter_map(|rest| implementor(rest, of)));
+                sources.push(code.collect::<Vec<_>>().join(" "));
+            }
+        }
+    }
+    sources
+}
+
+/// The types of the crate that implement a trait over numbers, read from the sources.
+fn implementors(of: &str) -> BTreeSet<String> {
+    let of = |code: &String| -> Vec<String> {
+        code.split("impl").filter_map(|rest| implementor(rest, of)).collect()
+    };
+    sources().iter().flat_map(of).collect()
+}
+
+/// What the types of the crate that are other types with parameters are called, and those others.
+fn aliases() -> BTreeMap<String, String> {
+    let name = |text: &str| -> String {
+        text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
+    };
+    let mut found = BTreeMap::new();
+    for code in sources() {
+        for rest in code.split("pub type ").skip(1) {
+            if let Some((left, right)) = rest.split(';').next().and_then(|it| it.split_once("> = "))
+            {
+                found.insert(name(left), name(right));
             }
         }
     }
@@ -162,8 +185,13 @@ fn snake_case(camel_case: &str) -> String {
 
 #[test]
 fn every_model_is_registered() {
-    let types: BTreeSet<String> = models::rows().iter().map(Row::type_name).collect();
-    let some = ["Lambert", "CookTorrance", "WeightedSum", "Blinn1977Printed"];
+    let aliases = aliases();
+    let types: BTreeSet<String> = models::rows()
+        .iter()
+        .map(Row::type_name)
+        .map(|name| aliases.get(&name).cloned().unwrap_or(name))
+        .collect();
+    let some = ["Lambert", "CookTorrance", "WeightedSum", "Scaled"];
     assert_all_registered("Brdf", &some, |name| types.contains(name));
     let models = implementors("Brdf");
     assert!(types.iter().all(|name| models.contains(name)), "{types:?} {models:?}");

@@ -86,12 +86,14 @@ fn furnace<T: Number>() -> Verdict {
     check("GGX", scale, &Ggx::anisotropic(x, y)?)
 }
 
+type Gray<T> = Box<dyn Brdf<T, Color = T>>;
+
 /// Lambert's surface, and those that it is a limit of.
 fn diffuse_limits<T: Number>() -> Verdict {
     let pair = [from_spherical(0.4, 1.0), from_spherical(1.3, 2.0)];
     let [wi, wo] = pair.map(|w| vector::<T>(w));
     let (half, zero) = (T::lit(0.5), T::zero());
-    let models: [(&str, Box<dyn Brdf<T, Color = T>>); 4] = [
+    let models: [(&str, Gray<T>); 4] = [
         ("Lambert", Box::new(Lambert::new(half)?)),
         ("Oren–Nayar, σ = 0", Box::new(OrenNayar::new(half, zero)?)),
         ("Phong, n = 0", Box::new(Phong::new(half, zero)?)),

@@ -21,19 +21,27 @@ pub(super) fn all<T: Number>() -> [Check; 4] {
     ]
 }
 
-fn g<T: Number, D>(shadowing: &impl Shadowing<T, D>, normals: &D, pair: &Pair<T>) -> f64 {
+fn g<T: Number, D: Distribution<T>>(
+    shadowing: &impl Shadowing<T, D>,
+    normals: &D,
+    pair: &Pair<T>,
+) -> f64 {
     let visibility: f64 = shadowing.visibility(normals, pair).into();
     4.0 * pair.cos_i.into() * pair.cos_o.into() * visibility
 }
 
 /// G₁(wo, h), for the half vector of the pair.
-fn g1<T: Number, D>(shadowing: &impl Shadowing<T, D>, normals: &D, pair: &Pair<T>) -> f64 {
+fn g1<T: Number, D: Distribution<T>>(
+    shadowing: &impl Shadowing<T, D>,
+    normals: &D,
+    pair: &Pair<T>,
+) -> f64 {
     let masking: f64 = shadowing.masking(normals, pair).into();
     4.0 * pair.cos_o.into() * masking
 }
 
 /// The same G as G₁ times the weight of a sample.
-fn g_of_samples<T: Number, D>(
+fn g_of_samples<T: Number, D: Distribution<T>>(
     shadowing: &impl Shadowing<T, D>,
     normals: &D,
     pair: &Pair<T>,
