@@ -166,6 +166,7 @@ fn assert_all_registered(trait_name: &str, some: &[&str], known: impl Fn(&str) -
 fn is_written(type_name: &str) -> bool {
     let form = match type_name {
         "SmithCorrelated" => "smith".to_owned(),
+        "SmithMixture" => "mixture".to_owned(),
         other => snake_case(other),
     };
     written().contains(&form)

@@ -11,7 +11,6 @@ use crate::faulty::Operation::{
 const BECKMANN: &str = "src/distribution/beckmann.rs";
 const BLINN: &str = "src/distribution/blinn.rs";
 const BLINN_1977: &str = "src/distribution/blinn_1977.rs";
-const FACETS: &str = "src/microfacet/facets.rs";
 const GAUSSIAN: &str = "src/distribution/gaussian.rs";
 const TILTS: &str = "src/distribution/gaussian_tilts.rs";
 const GGX: &str = "src/distribution/ggx.rs";
@@ -19,6 +18,7 @@ const HISTORICAL: &str = "src/microfacet/historical.rs";
 const IERFC: &str = "src/real/math/ierfc.rs";
 const MIXTURE: &str = "src/distribution/mixture.rs";
 const ROUGHNESS: &str = "src/distribution/roughness.rs";
+const SHADOWING: &str = "src/microfacet/shadowing.rs";
 const SLOPES: &str = "src/distribution/normal_slopes.rs";
 const SMITH: &str = "src/microfacet/smith.rs";
 const V_CAVITY: &str = "src/microfacet/v_cavity.rs";
@@ -98,11 +98,11 @@ pub(super) static MUTANTS: [Mutant; 39] = [
         "(T::lit(0.5) / ▸(pair.cos_o * area_i + pair.cos_i * area_o))", Add, LEFT),
     Mutant::new("Smith", "the larger of the two areas, not the sum", SMITH,
         "(T::lit(0.5) / ▸(pair.cos_o * area_i + pair.cos_i * area_o))", Add, |left, right, _| left.max(right)),
-    Mutant::new("Cook–Torrance", "Fresnel's term at the angle between L and V", FACETS,
+    Mutant::new("Cook–Torrance", "Fresnel's term at the angle between L and V", SHADOWING,
         "    pair.cos_d.▸min(T::one())", Min,
         |left, _, _| (2.0 * left * left - 1.0).abs()),
     Mutant::new("Cook–Torrance", "π for the 4 by which the print of 1982 is too bright", HISTORICAL,
-        "scaled(self.model.eval(wi, wo), ▸T::lit(4.0))", Literal, |_, _, _| PI),
+        "Self::of(CookTorrance::new(distribution, fresnel), ▸T::lit(4.0))", Literal, |_, _, _| PI),
     Mutant::new("Cook–Torrance", "degrees taken for radians in the Gaussian of 1967", HISTORICAL,
         "Gaussian::new(▸T::lit(PI / 180.0) / c)", Literal, ONE),
 ];
