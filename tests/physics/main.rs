@@ -3,7 +3,6 @@
 
 mod batch;
 mod energy;
-mod lift;
 mod mutants;
 mod numbers;
 mod precision;

@@ -37,7 +37,7 @@ fn every_model_can_be_traced() {
     }
 }
 
-/// Lanes have the bits of the scalar formula.
+/// Lanes have the bits of the scalar formula, also those of a lifted model.
 macro_rules! lanes_equal_scalars {
     ($test:ident, $lanes:expr, $scalars:expr, $float:ident, $vector:ident, $narrow:expr) => {
         #[test]
@@ -51,7 +51,7 @@ macro_rules! lanes_equal_scalars {
                 y: Lanes(std::array::from_fn(|lane| lanes[lane].y)),
                 z: Lanes(std::array::from_fn(|lane| lanes[lane].z)),
             };
-            for (lanes, scalar) in $lanes.iter().zip($scalars) {
+            for (lanes, scalar) in $lanes.iter().flat_map(|lanes| lanes.iter().zip($scalars)) {
                 for (index, chunk) in pairs.chunks_exact(N).enumerate() {
                     let (wi, wo): (Vec<$vector>, Vec<$vector>) = chunk.iter().copied().unzip();
                     let u: [[$float; N]; 2] = [wi.iter(), wo.iter()].map(|w| {

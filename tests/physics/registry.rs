@@ -205,7 +205,17 @@ fn every_distribution_is_registered() {
 
 #[test]
 fn every_shadowing_is_registered() {
-    assert_all_registered("Shadowing", &["VCavity", "SmithSeparable"], is_written);
+    assert_all_registered("Shadowing", &["VCavity"], is_written);
+    // A macro implements the others.
+    let members: BTreeSet<String> = sources()
+        .iter()
+        .flat_map(|code| code.split("impl From<").skip(1))
+        .filter_map(|rest| rest.split_once("> for AnyShadowing"))
+        .map(|(name, _)| name.to_owned())
+        .filter(|name| name.chars().all(char::is_alphanumeric))
+        .collect();
+    assert!(members.contains("SmithSeparable"), "{members:?}");
+    assert!(members.iter().all(|name| is_written(name)), "{members:?}");
 }
 
 #[test]

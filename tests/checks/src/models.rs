@@ -4,7 +4,7 @@
 use std::sync::LazyLock;
 
 use brdf::description::BrdfDescription;
-use brdf::{Brdf, Lanes, Real};
+use brdf::{AnyBrdf, Brdf, Color, Lanes, Lift, Real, Sample};
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
@@ -100,6 +100,26 @@ pub struct Entry<T: Real> {
     pub model: Box<Model<T>>,
 }
 
+/// A number in which models are compiled here with all that batches ask for.
+pub trait Compiled: Real {
+    /// Any model as an object.
+    fn object(model: AnyBrdf<Self>) -> Box<Model<Self>>;
+}
+
+impl Compiled for f32 {
+    #[inline(never)]
+    fn object(model: AnyBrdf) -> Box<Model<Self>> {
+        Box::new(model)
+    }
+}
+
+impl Compiled for f64 {
+    #[inline(never)]
+    fn object(model: AnyBrdf<Self>) -> Box<Model<Self>> {
+        Box::new(model)
+    }
+}
+
 static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
     let text = crate::text("tests/registry.jsonl");
     let row = |line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{line}: {error}"));
@@ -113,40 +133,88 @@ pub fn rows() -> &'static [Row] {
 
 /// All models in double precision.
 pub fn double() -> &'static [Entry<f64>] {
-    static ALL: LazyLock<Vec<Entry<f64>>> = LazyLock::new(all);
+    static ALL: LazyLock<Vec<Entry<f64>>> = LazyLock::new(|| all(Row::whole));
     &ALL
 }
 
 /// All models in single precision.
 pub fn single() -> &'static [Entry<f32>] {
-    static ALL: LazyLock<Vec<Entry<f32>>> = LazyLock::new(all);
+    static ALL: LazyLock<Vec<Entry<f32>>> = LazyLock::new(|| all(Row::whole));
     &ALL
 }
 
-/// All models in four lanes of double precision.
-pub fn double_lanes() -> Vec<Entry<Lanes<f64, 4>>> {
-    all()
+/// All models in four lanes of double precision: built in lanes, and built as scalars and lifted.
+pub fn double_lanes() -> [Vec<Entry<Lanes<f64, 4>>>; 2] {
+    [all(Row::one_by_one), all(|row| row.lifted(|parameter: f64| Lanes([parameter; 4])))]
 }
 
-/// All models in four lanes of single precision.
-pub fn single_lanes() -> Vec<Entry<Lanes<f32, 4>>> {
-    all()
+/// The same in single precision.
+pub fn single_lanes() -> [Vec<Entry<Lanes<f32, 4>>>; 2] {
+    [all(Row::one_by_one), all(|row| row.lifted(|parameter: f32| Lanes([parameter; 4])))]
 }
 
 /// All models over numbers that err; built anew, with the fault that is armed.
 pub fn faulty() -> Vec<Entry<Faulty>> {
-    all()
+    all(Row::one_by_one)
+}
+
+fn all<T: Real>(entry: impl Fn(&'static Row) -> Entry<T>) -> Vec<Entry<T>> {
+    rows().iter().map(entry).collect()
+}
+
+/// A model that is asked for one answer at a time: blocks of answers, which batches ask for, are
+/// not compiled for each model and instruction set.
+struct OneByOne<T: Real>(AnyBrdf<T>);
+
+impl<T: Real> Brdf<T> for OneByOne<T> {
+    type Color = T::Vec3;
+
+    #[inline(never)]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> T::Vec3 {
+        self.0.eval(wi, wo)
+    }
+
+    #[inline(never)]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        self.0.pdf(wi, wo)
+    }
+
+    #[inline(never)]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, T::Vec3> {
+        self.0.sample(wo, u)
+    }
+
+    fn albedo(&self, wo: T::Vec3) -> T::Vec3 {
+        self.0.albedo(wo)
+    }
 }
 
 impl Row {
     /// The model over symbols; its parameters go to the record of this thread.
     pub fn traced(&'static self) -> Entry<Traced> {
-        self.build()
+        self.one_by_one()
     }
 
-    fn build<T: Real>(&'static self) -> Entry<T> {
-        let built = self.brdf.build::<T>();
-        let model = Box::new(built.unwrap_or_else(|error| panic!("{}: {error}", self.name)));
+    fn whole<T: Compiled>(&'static self) -> Entry<T> {
+        self.entry(T::object(self.build()))
+    }
+
+    fn one_by_one<T: Real>(&'static self) -> Entry<T> {
+        self.entry(Box::new(OneByOne(self.build())))
+    }
+
+    fn lifted<T: Real, U: Real>(&'static self, lift: impl Fn(T) -> U + Copy) -> Entry<U>
+    where
+        T::Vec3: Color<T, Over<U> = U::Vec3>,
+    {
+        self.entry(Box::new(OneByOne(self.build::<T>().lift(lift))))
+    }
+
+    fn build<T: Real>(&self) -> AnyBrdf<T> {
+        self.brdf.build().unwrap_or_else(|error| panic!("{}: {error}", self.name))
+    }
+
+    fn entry<T: Real>(&'static self, model: Box<Model<T>>) -> Entry<T> {
         Entry { name: &self.name, promises: &self.promises, model }
     }
 
@@ -159,10 +227,6 @@ impl Row {
     pub fn type_name(&self) -> String {
         self.other_type.clone().unwrap_or_else(|| camel_case(&self.form()))
     }
-}
-
-fn all<T: Real>() -> Vec<Entry<T>> {
-    rows().iter().map(Row::build).collect()
 }
 
 /// A description whose numbers are such that `f32` and `f64` round them alike.
