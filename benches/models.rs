@@ -2,26 +2,24 @@
 //! `f64`; and a model from a description beside the same one written out.
 
 mod common;
-#[path = "../tests/common/models/mod.rs"]
-#[allow(dead_code, reason = "what the tests need beyond names and models")]
-mod models;
 
 use std::hint::black_box;
 
 use brdf::description::BrdfDescription;
 use brdf::{Brdf, Conductor, CookTorrance, Ggx, SmithCorrelated};
+use brdf_checks::models;
 use common::{COUNT, pairs, pairs_f32, uniforms};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use glam::Vec3;
 
 macro_rules! bench_models {
-    ($function:ident, $float:ident, $narrow:expr) => {
+    ($function:ident, $models:expr, $float:ident, $narrow:expr) => {
         fn $function(criterion: &mut Criterion) {
             let narrow = $narrow;
             let pairs: Vec<_> =
                 pairs().into_iter().map(|(wi, wo)| (narrow(wi), narrow(wo))).collect();
             let uniforms: Vec<_> = uniforms().iter().map(|u| u.map(|u| u as $float)).collect();
-            for entry in models::all::<$float>() {
+            for entry in $models {
                 let name = format!("{}/{}", stringify!($float), entry.name);
                 let mut group = criterion.benchmark_group(name);
                 group.throughput(Throughput::Elements(COUNT as u64));
@@ -59,8 +57,8 @@ macro_rules! bench_models {
         }
     };
 }
-bench_models!(in_f32, f32, |w: glam::DVec3| w.as_vec3());
-bench_models!(in_f64, f64, |w: glam::DVec3| w);
+bench_models!(in_f32, models::single(), f32, |w: glam::DVec3| w.as_vec3());
+bench_models!(in_f64, models::double(), f64, |w: glam::DVec3| w);
 
 /// A described model beside the same model written out as a type: both behind one dispatch.
 fn described(criterion: &mut Criterion) {

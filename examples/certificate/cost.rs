@@ -2,9 +2,9 @@
 
 use brdf::Vector;
 
-use crate::common::faulty::place::count;
-use crate::common::faulty::{Faulty, FaultyVector, Operation};
-use crate::common::models;
+use brdf_checks::faulty::place::count;
+use brdf_checks::faulty::{Faulty, FaultyVector, Operation};
+use brdf_checks::models;
 
 /// How often a formula asks for what takes a processor long.
 #[derive(Clone, Copy, Default)]
@@ -18,7 +18,7 @@ pub(crate) struct Cost {
 /// Of `eval`, `pdf` and `sample` of the entry at this place of the registry. Formulas do not branch,
 /// so that one call of each tells.
 pub(crate) fn costs(index: usize) -> [Cost; 3] {
-    let model = &*models::all::<Faulty>()[index].model;
+    let model = &*models::faulty()[index].model;
     let direction = |x: f64, y: f64| {
         FaultyVector::new(Faulty(x), Faulty(y), Faulty((1.0 - x * x - y * y).sqrt()))
     };

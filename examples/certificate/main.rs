@@ -8,8 +8,6 @@
 //! The same measurements as in the tests, on the same list of models, at full size. Fails, and
 //! writes nothing, if samples do not do what models say.
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
 mod cost;
 mod page;
 mod row;
@@ -18,21 +16,21 @@ use std::error::Error;
 use std::path::Path;
 use std::{env, fs};
 
-use common::models;
-use common::mutation::list::mutants;
-use common::mutation::mutant;
-use common::mutation::suite::Suite;
+use brdf_checks::models;
+use brdf_checks::mutation::list::mutants;
+use brdf_checks::mutation::mutant;
+use brdf_checks::mutation::suite::Suite;
 use indicatif::{ProgressBar, ProgressStyle};
 use row::Row;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let check = check(env::args().skip(1))?;
-    let (single, double) = (models::all::<f32>(), models::all::<f64>());
+    let (single, double) = (models::single(), models::double());
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {elapsed} {msg}")?;
     let bar = ProgressBar::new(double.len().try_into()?).with_style(style);
     let pairs = row::Pairs::new();
     let mut rows = Vec::new();
-    for (index, (single, double)) in single.iter().zip(&double).enumerate() {
+    for (index, (single, double)) in single.iter().zip(double).enumerate() {
         bar.set_message(double.name);
         rows.push(Row::measure(index, single, double, &pairs));
         bar.inc(1);
@@ -45,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err(format!("samples of {} models are not what they say", faults.len()).into());
     }
     bar.set_message("seeded bugs");
-    let suite = Suite::new();
+    let suite = Suite::recorded();
     let bugs = mutant::run(&suite, mutants(), true);
     for (index, row) in rows.iter_mut().enumerate() {
         let reached: Vec<_> =

@@ -3,10 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use crate::common::measure::sampling::WEIGHT_ULPS;
-use crate::common::measure::sampling::chi_squared::least_of;
-use crate::common::mutation::mutant::Outcome;
 use crate::row::{ANGLES, PAIRS, Row, SIZE};
+use brdf_checks::measure::sampling::WEIGHT_ULPS;
+use brdf_checks::measure::sampling::chi_squared::least_of;
+use brdf_checks::mutation::mutant::Outcome;
 
 const HEAD: &str = "\
 # What was measured of every model
@@ -22,13 +22,13 @@ const ALL: &str = "
 ## All sets of parameters
 
 The second table has one line for each model and set of parameters that the tests know
-(`tests/common/models`). Its columns mean:";
+(`tests/registry.jsonl`). Its columns mean:";
 
 const BUGS: &str = "\
 Each formula runs on any number, so a bug can be seeded by a number that errs: at one place of the
 source, in one operation, it answers something else. Nothing of this is in the crate. The checks
-(`tests/common/mutation`) run once for each bug, which counts as found if at least one fails. They
-all pass when no bug is seeded.";
+(`tests/checks/src/mutation`) run once for each bug, which counts as found if at least one fails.
+They all pass when no bug is seeded.";
 
 const COSTS: &str = "
 ## What a call costs

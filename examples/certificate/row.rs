@@ -3,15 +3,15 @@
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-use crate::common::directions::pairs_to_grazing;
-use crate::common::measure::energy::{Energy, energy};
-use crate::common::measure::precision::{Precision, Quantity, precision};
-use crate::common::measure::reciprocity::{Reciprocity, reciprocity};
-use crate::common::measure::sampling::{
+use crate::cost::{Cost, costs};
+use brdf_checks::directions::pairs_to_grazing;
+use brdf_checks::measure::energy::{Energy, energy};
+use brdf_checks::measure::precision::{Precision, Quantity, precision};
+use brdf_checks::measure::reciprocity::{Reciprocity, reciprocity};
+use brdf_checks::measure::sampling::{
     ALBEDO_Z, EXCESS, Sampling, Size, WEIGHT_ULPS, measure, viewers,
 };
-use crate::common::models::Entry;
-use crate::cost::{Cost, costs};
+use brdf_checks::models::{self, Entry};
 
 /// Angles of the viewer for the albedo.
 pub(crate) const ANGLES: u32 = 48;
@@ -61,10 +61,9 @@ impl Row {
         double: &Entry<f64>,
         pairs: &Pairs,
     ) -> Self {
-        let path = double.type_name.split('<').next().unwrap_or_default();
         Self {
             name: double.name,
-            kind: path.rsplit(':').next().unwrap_or_default().to_owned(),
+            kind: models::rows()[index].type_name(),
             energy: energy(&*double.model, ANGLES, 1e-6),
             reciprocity_f32: reciprocity(&*single.model, &pairs.single, f64::from(f32::EPSILON)),
             reciprocity_f64: reciprocity(&*double.model, &pairs.double, f64::EPSILON),

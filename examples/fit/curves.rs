@@ -5,9 +5,9 @@ use plotters::style::RGBColor;
 
 use super::colors::{BLUE, GREEN, GREY, INK, ORANGE, RED};
 use super::figure::{Curve, Figure, Panel};
-use super::fits::Row;
-use super::fits::family::Family;
-use super::fits::measured::direction;
+use brdf_checks::fits::Row;
+use brdf_checks::fits::family::Family;
+use brdf_checks::fits::measured::direction;
 
 /// Which of the measured angles of incidence a figure shows: 0°, about 50° and 70°.
 const SHOWN: [usize; 3] = [0, 3, 5];

@@ -14,15 +14,13 @@ mod curves;
 #[allow(dead_code, reason = "marks that only the materials need")]
 #[path = "../materials/figure.rs"]
 mod figure;
-#[path = "../../tests/common/fits/mod.rs"]
-mod fits;
 #[path = "../materials/folder.rs"]
 mod folder;
 
 use std::error::Error;
 use std::{env, fs};
 
-use fits::family::Family;
+use brdf_checks::fits::{self, family::Family};
 use indicatif::{ProgressBar, ProgressStyle};
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -12,16 +12,13 @@
 //! Nothing is compiled anew for a bug, and none is in the crate: the formulas run over a number
 //! that errs at one place of the source.
 
-#[path = "../../tests/common/mod.rs"]
-mod common;
-
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::{env, panic};
 
-use common::faulty::source;
-use common::mutation::suite::Suite;
-use common::mutation::{killed, list, mutant, systematic};
+use brdf_checks::faulty::source;
+use brdf_checks::mutation::suite::Suite;
+use brdf_checks::mutation::{killed, list, mutant, systematic};
 use indicatif::{ProgressBar, ProgressStyle};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -34,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     // A bug may make a check panic, which is one way to find it and not worth a message.
     panic::set_hook(Box::new(|_| ()));
-    let suite = Suite::new();
+    let suite = Suite::recorded();
     let alarms = suite.false_alarms();
     if !alarms.is_empty() {
         return Err(format!("something is wrong without a bug: {alarms:#?}").into());

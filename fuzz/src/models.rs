@@ -1,39 +1,14 @@
-//! Models of arbitrary parameters.
+//! Models of the registry with any parameters.
 
-use arbitrary::Arbitrary;
-use brdf::{
-    Beckmann, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong, CookTorrance,
-    CookTorrance1982Printed, Lambert, OrenNayar, ParameterError, Phong, Real, SchlickPower,
-    SmithCorrelated, SmithSeparable, WeightedSum,
-};
+use std::sync::LazyLock;
+
+use arbitrary::{Arbitrary, Result, Unstructured};
+use brdf::description::BrdfDescription;
+use ciborium::Value;
 
 use crate::numbers::{Channels, Number};
-use crate::terms::{OtherNormals, SmithNormals, Term, color};
 
-pub type AnyModel<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
-
-#[derive(Arbitrary, Clone, Debug)]
-pub enum Model {
-    Lambert(Channels),
-    OrenNayar(Channels, Number, bool),
-    Phong(Channels, Number),
-    ClassicPhong(Channels, Number),
-    BlinnPhong(Channels, Number),
-    ClassicBlinnPhong(Channels, Number),
-    Schlick(Channels, Number),
-    ClassicSchlick(Channels, Number),
-    Smith(SmithNormals, Term),
-    SmithSeparable(SmithNormals, Term),
-    VCavity(SmithNormals, Term),
-    VCavityOfOthers(OtherNormals, Term),
-    TorranceSparrow(Number, Term),
-    CookTorrancePrinted(Number, Number, Term),
-    BlinnPrinted(u8, Number, Term),
-    Sum(Box<[(Channels, Model); 2]>),
-    LongSum(Vec<(Channels, Model)>),
-}
-
-/// What a model promises.
+/// What a model promises, whatever its parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Promise {
     pub reciprocal: bool,
@@ -45,132 +20,138 @@ pub struct Promise {
 }
 
 impl Promise {
-    const fn new(albedo: f64, weight: f64) -> Self {
-        Self { reciprocal: true, albedo, weight, grooves: 0.0 }
-    }
-
     pub fn largest_weight(self, cos_i: f64, cos_o: f64) -> f64 {
         self.weight + self.grooves / cos_i.max(cos_o)
     }
+
+    fn scaled(self, scale: f64) -> Self {
+        Self { albedo: self.albedo * scale, weight: self.weight * scale, ..self }
+    }
 }
 
-const PI: f64 = std::f64::consts::PI;
+struct Row {
+    tree: Value,
+    promise: Promise,
+}
 
-impl Model {
-    pub fn build<T: Real>(&self) -> Result<AnyModel<T>, ParameterError> {
-        let color = color::<T>;
-        let lit = |Number(value)| T::lit(value);
-        Ok(match self {
-            Self::Lambert(albedo) => Box::new(Lambert::new(color(*albedo))?),
-            Self::OrenNayar(albedo, sigma, true) => {
-                Box::new(OrenNayar::with_interreflection(color(*albedo), lit(*sigma))?)
+/// The lines of the registry. Sums are made of them here.
+static ROWS: LazyLock<Vec<Row>> = LazyLock::new(|| {
+    let row = |line: &str| {
+        let row: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
+        let (brdf, promises) = (&row["brdf"], &row["promises"]);
+        let number = |value: &serde_json::Value, default| value.as_f64().unwrap_or(default);
+        let largest = number(&promises["largest_weight"], 1.0);
+        let promise = Promise {
+            reciprocal: promises["reciprocal"].as_bool().unwrap_or(true),
+            albedo: number(&promises["bounds"]["albedo"], 1.0),
+            weight: number(&promises["bounds"]["weight"], largest),
+            grooves: number(&promises["grooves"], 0.0),
+        };
+        let tree = Value::serialized(brdf).expect("JSON fits CBOR");
+        brdf.get("sum").is_none().then_some(Row { tree, promise })
+    };
+    include_str!("../../tests/registry.jsonl").lines().filter_map(row).collect()
+});
+
+/// A description that may be wrong in its numbers, as a tree: unlike JSON, it holds NaN and infinity.
+#[derive(Clone, Debug)]
+pub struct Model {
+    tree: Value,
+    promise: Promise,
+}
+
+impl<'a> Arbitrary<'a> for Model {
+    fn arbitrary(u: &mut Unstructured<'a>) -> Result<Self> {
+        if u.ratio(1, 6)? {
+            let mut terms = Vec::new();
+            // Ends with the bytes, as each term takes some.
+            while u.arbitrary()? && !u.is_empty() {
+                terms.push((u.arbitrary::<Channels>()?, Self::arbitrary(u)?));
             }
-            Self::OrenNayar(albedo, sigma, false) => {
-                Box::new(OrenNayar::new(color(*albedo), lit(*sigma))?)
-            }
-            Self::Phong(specular, n) => Box::new(Phong::new(color(*specular), lit(*n))?),
-            Self::ClassicPhong(specular, n) => {
-                Box::new(ClassicPhong::new(color(*specular), lit(*n))?)
-            }
-            Self::BlinnPhong(specular, n) => Box::new(BlinnPhong::new(color(*specular), lit(*n))?),
-            Self::ClassicBlinnPhong(specular, n) => {
-                Box::new(BlinnPhong::unnormalized(color(*specular), lit(*n))?)
-            }
-            Self::Schlick(specular, n) => Box::new(SchlickPower::new(color(*specular), lit(*n))?),
-            Self::ClassicSchlick(specular, n) => {
-                Box::new(SchlickPower::unnormalized(color(*specular), lit(*n))?)
-            }
-            Self::Smith(normals, term) => Box::new(
-                CookTorrance::new(normals.build::<T>()?, term.build::<T>()?)
-                    .with_shadowing(SmithCorrelated),
-            ),
-            Self::SmithSeparable(normals, term) => Box::new(
-                CookTorrance::new(normals.build::<T>()?, term.build::<T>()?)
-                    .with_shadowing(SmithSeparable),
-            ),
-            Self::VCavity(normals, term) => {
-                Box::new(CookTorrance::new(normals.build::<T>()?, term.build::<T>()?))
-            }
-            Self::VCavityOfOthers(normals, term) => {
-                Box::new(CookTorrance::new(normals.build::<T>()?, term.build::<T>()?))
-            }
-            Self::TorranceSparrow(c, term) => {
-                Box::new(CookTorrance::torrance_sparrow_1967(lit(*c), term.build::<T>()?)?)
-            }
-            Self::CookTorrancePrinted(x, y, term) => Box::new(CookTorrance1982Printed::new(
-                Beckmann::anisotropic(lit(*x), lit(*y))?,
-                term.build::<T>()?,
-            )),
-            Self::BlinnPrinted(which, beta, term) => {
-                let (blinn, term) = (Blinn1977::new(lit(*beta))?, term.build::<T>()?);
-                match which % 3 {
-                    0 => Box::new(Blinn1977Printed::d1(blinn, term)?),
-                    1 => Box::new(Blinn1977Printed::d2(blinn, term)?),
-                    _ => Box::new(Blinn1977Printed::d3(blinn, term)?),
+            return Ok(Self::sum(&terms));
+        }
+        let Row { tree, promise } = u.choose(&ROWS)?;
+        let mut tree = tree.clone();
+        let mut light = None;
+        vary(&mut tree, false, &mut light, u)?;
+        Ok(Self { tree, promise: promise.scaled(light.unwrap_or(1.0)) })
+    }
+}
+
+/// Replaces most numbers by others, some by lists, and notes the largest one of a light, which
+/// what is reflected contains.
+fn vary(
+    tree: &mut Value,
+    is_light: bool,
+    light: &mut Option<f64>,
+    u: &mut Unstructured<'_>,
+) -> Result<()> {
+    match tree {
+        Value::Integer(_) | Value::Float(_) => {
+            let kept = tree.as_float().or(tree.as_integer().map(|n| i128::from(n) as f64));
+            let mut numbers = vec![kept.unwrap_or(0.0)];
+            if u.ratio(7, 8)? {
+                let count = if u.ratio(1, 16)? { u.int_in_range(2..=3)? } else { 1 };
+                numbers = vec![0.0; count];
+                for number in &mut numbers {
+                    *number = Number::arbitrary(u)?.0;
                 }
             }
-            Self::Sum(terms) => sum::<T>(terms.as_slice())?,
-            Self::LongSum(terms) => sum::<T>(terms)?,
-        })
+            if is_light {
+                let largest = numbers.iter().copied().fold(light.unwrap_or(0.0), f64::max);
+                *light = Some(largest);
+            }
+            *tree = match numbers[..] {
+                [number] => Value::Float(number),
+                _ => Value::Array(numbers.into_iter().map(Value::Float).collect()),
+            };
+        }
+        Value::Array(list) => {
+            for inner in list {
+                vary(inner, is_light, light, u)?;
+            }
+        }
+        Value::Map(keys) => {
+            for (key, inner) in keys {
+                vary(inner, key.as_text() == Some("light"), light, u)?;
+            }
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+impl Model {
+    /// The description, if its numbers are in range.
+    pub fn read(&self) -> Option<BrdfDescription> {
+        self.tree.deserialized().ok()
     }
 
-    /// What must hold of the model, if its parameters were accepted.
+    /// What must hold of the model, if its parameters are in range.
     pub fn promise(&self) -> Promise {
-        match self {
-            Self::Lambert(_) => Promise::new(1.0, 1.0),
-            Self::OrenNayar(_, _, interreflection) => Promise {
-                grooves: 0.45,
-                ..Promise::new(if *interreflection { 1.0444 } else { 1.0152 }, 1.0)
-            },
-            Self::Phong(..) => Promise::new(1.0, 2.0),
-            Self::ClassicPhong(_, Number(n)) => {
-                let weight = 2.0 * PI / (n + 1.0);
-                Promise { reciprocal: false, ..Promise::new(weight, weight) }
-            }
-            Self::BlinnPhong(..) => Promise::new(1.0, 8.0),
-            Self::ClassicBlinnPhong(..) => Promise::new(PI, 8.0 * PI),
-            Self::Schlick(..) => Promise::new(1.0, 3.0),
-            Self::ClassicSchlick(..) => Promise::new(PI, 2.0 * PI),
-            Self::Smith(_, term)
-            | Self::SmithSeparable(_, term)
-            | Self::VCavity(_, term)
-            | Self::VCavityOfOthers(_, term)
-            | Self::TorranceSparrow(_, term) => Promise::new(term.largest(), term.largest()),
-            Self::CookTorrancePrinted(_, _, term) => {
-                Promise::new(4.0 * term.largest(), 4.0 * term.largest())
-            }
-            // 4/D(N), which is at most that of the flattest distribution.
-            Self::BlinnPrinted(_, _, term) => {
-                Promise::new(4.0 * PI * term.largest(), 4.0 * PI * term.largest())
-            }
-            Self::Sum(terms) => sum_promise(terms.as_slice()),
-            Self::LongSum(terms) => sum_promise(terms),
+        self.promise
+    }
+
+    fn sum(terms: &[(Channels, Self)]) -> Self {
+        let text = |text: &str| Value::Text(text.to_owned());
+        let mut all = Promise { reciprocal: true, albedo: 0.0, weight: 0.0, grooves: 0.0 };
+        let (mut trees, mut total) = (Vec::new(), 0.0);
+        for (Channels(weight), Self { tree, promise }) in terms {
+            let largest = weight.iter().copied().fold(0.0, f64::max);
+            total += weight.iter().sum::<f64>();
+            all.albedo += largest * promise.albedo;
+            all.weight = all.weight.max(promise.weight);
+            all.grooves = all.grooves.max(promise.grooves);
+            all.reciprocal &= promise.reciprocal;
+            let weight = Value::Array(weight.map(Value::Float).to_vec());
+            trees.push(Value::Map(vec![(text("weight"), weight), (text("brdf"), tree.clone())]));
+        }
+        // A channel weighs at most three times the mean that its probability is made of. Where the
+        // density is a subnormal number its rounding counts.
+        let scaled = |value: f64| (value * (total * 2.0).min(f64::MAX)).min(f64::MAX);
+        Self {
+            tree: Value::Map(vec![(text("sum"), Value::Array(trees))]),
+            promise: Promise { weight: scaled(all.weight), grooves: scaled(all.grooves), ..all },
         }
     }
-}
-
-fn sum<T: Real>(terms: &[(Channels, Model)]) -> Result<AnyModel<T>, ParameterError> {
-    let mut built = Vec::new();
-    for (weight, model) in terms {
-        built.push((color::<T>(*weight), model.build::<T>()?));
-    }
-    Ok(Box::new(WeightedSum::new(built)?))
-}
-
-fn sum_promise(terms: &[(Channels, Model)]) -> Promise {
-    let mut all = Promise::new(0.0, 0.0);
-    let mut total = 0.0;
-    for (Channels(weight), model) in terms {
-        let promise = model.promise();
-        let largest = weight.iter().copied().fold(0.0, f64::max);
-        total += weight.iter().sum::<f64>();
-        all.albedo += largest * promise.albedo;
-        all.weight = all.weight.max(promise.weight);
-        all.grooves = all.grooves.max(promise.grooves);
-        all.reciprocal &= promise.reciprocal;
-    }
-    // A channel weighs at most three times the mean that its probability is made of. Where the
-    // density is a subnormal number its rounding counts.
-    let scaled = |value: f64| (value * (total * 2.0).min(f64::MAX)).min(f64::MAX);
-    Promise { weight: scaled(all.weight), grooves: scaled(all.grooves), ..all }
 }

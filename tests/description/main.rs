@@ -1,10 +1,15 @@
-//! Models as data: what is read, what is built, what is refused.
-
-#[path = "../common/mod.rs"]
-mod common;
+//! Models as data: what is read, what is built, what is refused, and what the example `evaluate`
+//! answers.
 
 mod bounds;
 mod build;
+#[path = "../../examples/evaluate/command.rs"]
+mod command;
+mod evaluate;
 mod forms;
+#[path = "../../examples/evaluate/question.rs"]
+mod question;
 mod refusals;
+#[path = "../../examples/evaluate/stream.rs"]
+mod stream;
 mod tables;

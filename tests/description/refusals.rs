@@ -4,6 +4,8 @@ use brdf::ParameterError;
 use brdf::description::{
     BrdfDescription, DescriptionError, DistributionDescription, FresnelDescription, Path, Problem,
 };
+use brdf_checks::models;
+use serde_json::{Value, json};
 
 fn model_error(text: &str) -> String {
     serde_json::from_str::<BrdfDescription>(text).expect_err(text).to_string()
@@ -305,7 +307,7 @@ fn building_checks_too() {
     let wrong = |path: &Path<'_>, value: f64| {
         if path.to_string() == "ggx.roughness[1]" { f32::NAN } else { value as f32 }
     };
-    let error: DescriptionError = description.build_with(wrong).err().expect("out of range");
+    let error: DescriptionError = description.build_with(wrong).expect_err("out of range");
     assert_eq!(error.path(), "ggx.roughness[1]");
     let Problem::Parameter(error) = error.problem() else { panic!("{error}") };
     let _: &ParameterError = error;
@@ -314,10 +316,91 @@ fn building_checks_too() {
     let text = r#"{"sum": [{"weight": 1, "brdf": {"lambert": {"albedo": 0.5}}}]}"#;
     let description: BrdfDescription = serde_json::from_str(text).expect(text);
     let error = |number: fn(&Path<'_>, f64) -> f64| {
-        description.build_with(number).err().expect("out of range").to_string()
+        description.build_with(number).expect_err("out of range").to_string()
     };
     let above = error(|_, value| 4.0 * value);
     assert_eq!(above, "sum[0].brdf.lambert.albedo must be between 0 and 1, not 2");
     let none = error(|path, value| if path.to_string() == "sum[0].weight" { 0.0 } else { value });
     assert_eq!(none, "sum: total weight must be between 1e-30 and 1e30, not 0");
+}
+
+/// A value inside a description: where it stands for a reader and for an error, and what it is.
+struct Spot {
+    pointer: String,
+    path: String,
+    /// An object with the keys of a form, not one that names a form.
+    has_keys: bool,
+}
+
+impl Spot {
+    fn inner(&self, key: &str, has_keys: bool) -> Self {
+        let dot = if self.path.is_empty() { "" } else { "." };
+        let path = match key.parse::<usize>() {
+            Ok(index) => format!("{}[{index}]", self.path),
+            Err(_) => format!("{}{dot}{key}", self.path),
+        };
+        Self { pointer: format!("{}/{key}", self.pointer), path, has_keys }
+    }
+
+    /// This value and all inside it.
+    fn collect(self, value: &Value, all: &mut Vec<Self>) {
+        match value {
+            Value::Object(keys) => {
+                for (key, inner) in keys {
+                    self.inner(key, !self.has_keys).collect(inner, all);
+                }
+            }
+            Value::Array(list) => {
+                for (index, inner) in list.iter().enumerate() {
+                    self.inner(&index.to_string(), true).collect(inner, all);
+                }
+            }
+            Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+        }
+        all.push(self);
+    }
+}
+
+/// Every value of every model of the registry, one mistake at a time: the error begins with its
+/// place.
+#[test]
+fn every_mistake_names_its_place() {
+    let mut mistakes = 0;
+    for row in models::rows() {
+        let right = serde_json::to_value(&row.brdf).expect("JSON");
+        let mut refused = |spot: &Spot, mistake: &dyn Fn(&mut Value), message: &str| {
+            let mut wrong = right.clone();
+            mistake(wrong.pointer_mut(&spot.pointer).expect("it is there"));
+            let text = wrong.to_string();
+            let error = model_error(&text);
+            assert!(error.starts_with(&format!("{}{message}", spot.path)), "{text}: {error}");
+            mistakes += 1;
+        };
+        let mut spots = Vec::new();
+        let whole = Spot { pointer: String::new(), path: String::new(), has_keys: false };
+        whole.collect(&right, &mut spots);
+        for spot in &spots {
+            match right.pointer(&spot.pointer).expect("it is there") {
+                Value::Number(_) => {
+                    for number in [-1e300, 1e300] {
+                        refused(spot, &|value| *value = json!(number), " must be between ");
+                    }
+                    refused(spot, &|value| *value = json!("?"), ": invalid type: string \"?\"");
+                }
+                Value::Object(_) if spot.has_keys => {
+                    let add = |value: &mut Value| value["?"] = json!(0);
+                    refused(spot, &add, ".?: unknown name, expected ");
+                }
+                Value::String(_) => {
+                    let word = |value: &mut Value| *value = json!("?");
+                    refused(spot, &word, ".?: unknown name, expected one of ");
+                }
+                Value::Bool(_) => {
+                    refused(spot, &|value| *value = json!(1), ": invalid type: integer `1`");
+                }
+                Value::Null | Value::Array(_) | Value::Object(_) => {}
+            }
+        }
+    }
+    assert!(mistakes > 1000, "{mistakes}");
 }

@@ -3,12 +3,11 @@
 use std::f64::consts::TAU;
 
 use brdf::{Beckmann, Blinn, Distribution, Gaussian, Ggx, Mixture, Smith, from_spherical};
+use brdf_checks::measure::sampling::chi_squared::compare;
+use brdf_checks::slopes::Facing;
 use glam::{DVec2, DVec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
-use crate::common::slopes::Facing;
 
 const SAMPLES: u32 = 200_000;
 const CELLS: usize = 12;
@@ -23,7 +22,7 @@ fn p_value(
 ) -> f64 {
     let width = |[from, to]: [f64; 2]| (to - from) / CELLS as f64;
     let (chi_width, psi_width) = (width(facing.chi), width(facing.psi));
-    let mut counts = [[0_u32; CELLS]; CELLS];
+    let mut counts = [0_u32; CELLS * CELLS];
     let mut rng = Pcg64Mcg::seed_from_u64(0xfacade);
     for _ in 0..SAMPLES {
         let h = draw([rng.random(), rng.random()]);
@@ -31,36 +30,21 @@ fn p_value(
         let cell = |angle: f64, from: f64, width: f64| {
             (((angle - from) / width).max(0.0) as usize).min(CELLS - 1)
         };
-        counts[cell(chi, facing.chi[0], chi_width)][cell(psi, facing.psi[0], psi_width)] += 1;
+        let row = cell(chi, facing.chi[0], chi_width);
+        counts[row * CELLS + cell(psi, facing.psi[0], psi_width)] += 1;
     }
-
-    // Cells that expect fewer than ten samples are counted as one.
-    let (mut statistic, mut terms, mut rest) = (0.0, 0, (0.0, 0.0));
-    let mut total = 0.0;
-    for (i, row) in counts.iter().enumerate() {
-        for (j, &count) in row.iter().enumerate() {
-            let chi = facing.chi[0] + chi_width * i as f64;
-            let psi = facing.psi[0] + psi_width * j as f64;
-            let part = facing.integral([chi, chi + chi_width], [psi, psi + psi_width], 1, &density);
-            total += part;
-            let (expected, count) = (part * f64::from(SAMPLES), f64::from(count));
-            if expected < 10.0 {
-                rest = (rest.0 + expected, rest.1 + count);
-            } else {
-                statistic += (count - expected).powi(2) / expected;
-                terms += 1;
-            }
-        }
-    }
+    let parts = (0..CELLS * CELLS).map(|cell| {
+        let chi = facing.chi[0] + chi_width * (cell / CELLS) as f64;
+        let psi = facing.psi[0] + psi_width * (cell % CELLS) as f64;
+        facing.integral([chi, chi + chi_width], [psi, psi + psi_width], 1, &density)
+    });
+    let parts: Vec<f64> = parts.collect();
+    let total: f64 = parts.iter().sum();
     assert!((total - 1.0).abs() < 1e-4, "the density sums to {total}");
-    if rest.0 > 1.0 {
-        statistic += (rest.1 - rest.0).powi(2) / rest.0;
-        terms += 1;
-    } else {
-        assert!(rest.1 < 12.0, "{} samples where {} were expected", rest.1, rest.0);
-    }
-    assert!(terms > 30, "{terms} cells say little");
-    ChiSquared::new(f64::from(terms - 1)).unwrap().sf(statistic)
+    let expected: Vec<_> = parts.iter().map(|part| (part * f64::from(SAMPLES), 0.0)).collect();
+    let verdict = compare(&counts, &expected);
+    assert!(verdict.terms > 30, "{} cells say little", verdict.terms);
+    verdict.p_value
 }
 
 fn check_sample(name: &str, distribution: &dyn Distribution<f64>, scale: [f64; 2]) {

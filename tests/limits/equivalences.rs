@@ -12,8 +12,8 @@ use brdf::{
 };
 use glam::DVec3;
 
-use crate::common::directions::pairs_to_grazing;
 use crate::hemisphere::Model;
+use brdf_checks::directions::pairs_to_grazing;
 
 type Color64 = dyn Brdf<f64, Color = f64>;
 

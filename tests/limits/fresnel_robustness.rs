@@ -4,7 +4,7 @@ use brdf::fresnel::{conductor_polarized, dielectric_polarized, forms};
 use brdf::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Lanes, Real, Schlick};
 
 use super::fresnel::{cosines, extinctions, indices};
-use crate::common::traced::trace;
+use brdf_checks::traced::trace;
 
 #[test]
 fn cosines_of_any_size_are_harmless() {

@@ -4,12 +4,11 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use brdf::quadrature::integrate;
 use brdf::{Brdf, from_spherical};
+use brdf_checks::measure::hemisphere::{cells, integrate as cubature};
+use brdf_checks::measure::sampling::chi_squared::compare;
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
-use statrs::distribution::{ChiSquared, ContinuousCDF};
-
-use crate::common::measure::hemisphere::{cells, integrate as cubature};
 
 pub(crate) type Model = Box<dyn Brdf<f64, Color = f64>>;
 
@@ -75,23 +74,8 @@ pub(crate) fn assert_samples_follow_pdf(
     let failures = f64::from(count) - expected.iter().sum::<f64>();
     assert!(failures > -1e-5 * f64::from(count), "{name} at {wo}: the density exceeds 1");
     expected.push(failures.max(0.0));
-    // Cells where fewer than ten draws are expected are counted together.
-    let (mut statistic, mut cells, mut rare) = (0.0, 0_u32, (0.0, 0.0));
-    for (got, want) in histogram.iter().zip(&expected) {
-        if *want < 10.0 {
-            rare = (rare.0 + f64::from(*got), rare.1 + want);
-        } else {
-            statistic += (f64::from(*got) - want).powi(2) / want;
-            cells += 1;
-        }
-    }
-    if rare.1 >= 10.0 {
-        statistic += (rare.0 - rare.1).powi(2) / rare.1;
-        cells += 1;
-    } else {
-        assert!(rare.0 <= 40.0, "{name} at {wo}: {} draws where {} are due", rare.0, rare.1);
-    }
-    let chance = 1.0 - ChiSquared::new(f64::from(cells - 1)).unwrap().cdf(statistic);
-    assert!(chance > 1e-4, "{name} at {wo}: χ² {statistic} in {cells} cells, chance {chance:e}");
+    let expected: Vec<(f64, f64)> = expected.into_iter().map(|want| (want, 0.0)).collect();
+    let verdict = compare(&histogram, &expected);
+    assert!(verdict.p_value > 1e-4, "{name} at {wo}: {verdict:?}");
     failures / f64::from(count)
 }

@@ -6,8 +6,8 @@ use brdf::{
 };
 use glam::{DVec3, Vec3};
 
-use crate::common::directions::pairs;
 use crate::hemisphere::{Model, albedo, assert_samples_follow_pdf};
+use brdf_checks::directions::pairs;
 
 const EXPONENTS: [f64; 8] = [0.0, 0.5, 1.0, 2.0, 5.0, 10.0, 37.5, 100.0];
 const ANGLES: [f64; 7] = [0.0, 0.3, 0.8, 1.1, 1.3, 1.45, 1.5];

@@ -1,11 +1,10 @@
 //! Limits, equivalent forms, energy and published mistakes of every model.
 
-#[path = "../common/mod.rs"]
-mod common;
-
 mod distribution_samples;
 mod distributions;
 mod equivalences;
+mod facets;
+mod frame;
 mod fresnel;
 mod fresnel_approximations;
 mod fresnel_averages;
@@ -13,7 +12,9 @@ mod fresnel_errata;
 mod fresnel_precision;
 mod fresnel_robustness;
 mod hemisphere;
+mod known_failures;
 mod lobes;
 mod microfacet;
 mod signs;
+mod spectra;
 mod sums;

@@ -11,8 +11,8 @@ use glam::{DVec3, Vec3};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-use crate::common::directions::pairs;
 use crate::hemisphere::{Model, assert_samples_follow_pdf};
+use brdf_checks::directions::pairs;
 
 fn white() -> Constant<f64> {
     Constant::new(1.0).unwrap()

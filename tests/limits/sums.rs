@@ -3,8 +3,8 @@ use brdf::{
 };
 use glam::{DVec3, Vec3};
 
-use crate::common::directions::pairs;
 use crate::hemisphere::{Model, albedo, assert_samples_follow_pdf};
+use brdf_checks::directions::pairs;
 
 fn layers() -> [(f64, Model); 4] {
     [

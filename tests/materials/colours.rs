@@ -5,7 +5,8 @@ use brdf::materials::{Material, find};
 use brdf::{Conductor, Fresnel, Illuminant, Observer, Spectrum};
 use glam::DVec3;
 
-use crate::tables::{Row, number, path, rows};
+use brdf_checks::path;
+use brdf_checks::tables::{Row, number, rows};
 
 fn rgb(row: &Row, columns: [&str; 3]) -> DVec3 {
     DVec3::from(columns.map(|column| number(row, column)))

@@ -8,7 +8,7 @@
 use brdf::fresnel::conductor_polarized;
 use brdf::materials::SILICON;
 
-use crate::tables::{number, rows};
+use brdf_checks::tables::{number, rows};
 
 #[test]
 fn silicon_reflects_as_fresnel_says() {

@@ -4,7 +4,7 @@ use brdf::fresnel::conductor_polarized;
 use brdf::materials::find;
 use brdf::{Conductor, Fresnel};
 
-use crate::tables::{number, rows};
+use brdf_checks::tables::{number, rows};
 
 #[test]
 fn reflectances_are_those_of_complex_arithmetic() {

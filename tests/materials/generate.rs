@@ -6,7 +6,8 @@
 use std::fmt::Write;
 use std::fs;
 
-use crate::tables::{Row, compare, header, path, rows};
+use brdf_checks::path;
+use brdf_checks::tables::{Row, compare, header, rows};
 
 const HEADER: &str = "\
 // Made of `data/ior` and `data/notes.csv` by `tests/materials/generate.rs`; not to be edited.

@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use crate::tables::path;
 use brdf::materials::{self, ALL, Form, GOLD, GOLD_MCPEAK_2015, Kind, LookupError, Material, find};
+use brdf_checks::path;
 
 fn keys<'a>(materials: impl IntoIterator<Item = &'a Material>) -> Vec<&'static str> {
     materials.into_iter().map(Material::key).collect()

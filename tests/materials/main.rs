@@ -1,12 +1,14 @@
-//! The measured materials: what is embedded, what is read from it, and measured reality.
+//! Measured reality: the embedded materials, the colours of spectra, models fitted to surfaces, and
+//! tables of integrals.
 
+mod colorimetry;
 mod colours;
 mod ellipsometry;
+mod fits;
 mod fresnel_reference;
 mod generate;
 mod lookup;
 mod plausible;
 mod samples;
 mod shortcut;
-#[path = "../common/tables.rs"]
 mod tables;

@@ -4,7 +4,7 @@ use brdf::Fresnel;
 use brdf::colorimetry::WAVELENGTHS;
 use brdf::materials::{ALL, Kind, Material, find};
 
-use crate::tables::path;
+use brdf_checks::path;
 
 /// How far the reflectance of unpolarised light falls below that at normal incidence, at most,
 /// within the visible range.

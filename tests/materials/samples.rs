@@ -4,7 +4,7 @@ use brdf::materials::{ALL, Material};
 use brdf::{Fresnel, Spectrum, Vector3};
 use glam::{DVec3, Vec3};
 
-use crate::tables::{number, rows};
+use brdf_checks::tables::{number, rows};
 
 /// Each number of the tables comes back as the `f64` nearest to its decimal digits.
 #[test]

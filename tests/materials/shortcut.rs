@@ -7,7 +7,7 @@ use brdf::materials::{ALL, Kind, Material};
 use brdf::{Fresnel, Illuminant, Observer, Spectrum};
 use glam::DVec3;
 
-use crate::tables::path;
+use brdf_checks::path;
 
 const ANGLES: [f64; 6] = [0.0, 30.0, 60.0, 75.0, 85.0, 89.0];
 const SHOWN: [&str; 5] = ["Ag", "Al", "Cu", "Au", "brass_Cu70Zn30"];

@@ -1,11 +1,7 @@
-//! What holds of every model of the registry, `tests/common/models`. One program, because building
-//! all models takes longer than testing them.
-
-#[path = "../common/mod.rs"]
-mod common;
+//! What holds of every model of the registry, `tests/registry.jsonl`, and of the formulas it is made
+//! of.
 
 mod batch;
-mod descriptions;
 mod energy;
 mod mutants;
 mod numbers;
@@ -14,3 +10,4 @@ mod reciprocity;
 mod registry;
 mod robustness;
 mod sampling;
+mod values;

@@ -1,9 +1,9 @@
 //! Each formula runs on every kind of number, and says the same on all of them.
 
-use crate::common::directions::{pairs, pairs_to_grazing};
-use crate::common::models;
-use crate::common::traced::{Traced, trace};
 use brdf::{Lanes, Vector3};
+use brdf_checks::directions::{pairs, pairs_to_grazing};
+use brdf_checks::models;
+use brdf_checks::traced::{Traced, trace};
 use glam::{DVec3, Vec3};
 
 const N: usize = 4;
@@ -11,12 +11,10 @@ const N: usize = 4;
 /// A model runs once on symbols; playing the record gives what the model gives.
 #[test]
 fn every_model_can_be_traced() {
-    for model in models::all::<f64>() {
+    for (row, model) in models::rows().iter().zip(models::double()) {
         let record = trace(|[ix, iy, iz, ox, oy, oz, u0, u1]: [Traced; 8]| {
             // Built here, so that its parameters are on the tape of this record.
-            let mut entries = models::all::<Traced>().into_iter();
-            let entry = entries.find(|entry| entry.name == model.name);
-            let entry = entry.expect("both lists have the same names");
+            let entry = row.traced();
             let (wi, wo) = (Vector3 { x: ix, y: iy, z: iz }, Vector3 { x: ox, y: oy, z: oz });
             let value = entry.model.eval(wi, wo);
             let pdf = entry.model.pdf(wi, wo);
@@ -39,9 +37,9 @@ fn every_model_can_be_traced() {
     }
 }
 
-/// Lanes have the bits of the scalar formula.
+/// Lanes have the bits of the scalar formula, also those of a lifted model.
 macro_rules! lanes_equal_scalars {
-    ($test:ident, $float:ident, $vector:ident, $narrow:expr) => {
+    ($test:ident, $lanes:expr, $scalars:expr, $float:ident, $vector:ident, $narrow:expr) => {
         #[test]
         fn $test() {
             let pairs: Vec<($vector, $vector)> = pairs_to_grazing(1024)
@@ -53,9 +51,7 @@ macro_rules! lanes_equal_scalars {
                 y: Lanes(std::array::from_fn(|lane| lanes[lane].y)),
                 z: Lanes(std::array::from_fn(|lane| lanes[lane].z)),
             };
-            for (lanes, scalar) in
-                models::all::<Lanes<$float, N>>().iter().zip(models::all::<$float>())
-            {
+            for (lanes, scalar) in $lanes.iter().flat_map(|lanes| lanes.iter().zip($scalars)) {
                 for (index, chunk) in pairs.chunks_exact(N).enumerate() {
                     let (wi, wo): (Vec<$vector>, Vec<$vector>) = chunk.iter().copied().unzip();
                     let u: [[$float; N]; 2] = [wi.iter(), wo.iter()].map(|w| {
@@ -90,5 +86,19 @@ macro_rules! lanes_equal_scalars {
         }
     };
 }
-lanes_equal_scalars!(f32_lanes_have_the_bits_of_scalars, f32, Vec3, |w: DVec3| w.as_vec3());
-lanes_equal_scalars!(f64_lanes_have_the_bits_of_scalars, f64, DVec3, |w: DVec3| w);
+lanes_equal_scalars!(
+    f32_lanes_have_the_bits_of_scalars,
+    models::single_lanes(),
+    models::single(),
+    f32,
+    Vec3,
+    |w: DVec3| w.as_vec3()
+);
+lanes_equal_scalars!(
+    f64_lanes_have_the_bits_of_scalars,
+    models::double_lanes(),
+    models::double(),
+    f64,
+    DVec3,
+    |w: DVec3| w
+);

@@ -1,8 +1,8 @@
 //! `f32` against `f64` on the same inputs: how many digits single precision keeps.
 
-use crate::common::directions::pairs_to_grazing;
-use crate::common::measure::precision::{Quantity, precision};
-use crate::common::models;
+use brdf_checks::directions::pairs_to_grazing;
+use brdf_checks::measure::precision::{Quantity, precision};
+use brdf_checks::models;
 use glam::Vec3;
 
 /// Every model over the whole hemisphere, from the centre of its lobe to where it underflows,
@@ -14,7 +14,7 @@ fn single_precision(quantity: Quantity) {
         .filter(|(wi, wo)| wi.z > 0.0 && wo.z > 0.0)
         .collect();
     let mut failures = Vec::new();
-    for (single, double) in models::all::<f32>().iter().zip(models::all::<f64>()) {
+    for (single, double) in models::single().iter().zip(models::double()) {
         let found = precision(quantity, &*single.model, &*double.model, &pairs);
         println!(
             "{:45} median {:.1e} maximum {:.1e} of the bound {:.2}",

@@ -6,8 +6,8 @@ use std::sync::Mutex;
 use brdf::batch::{ColorBuffer, DirectionBuffer, Directions, InstructionSet, SampleBuffer};
 use glam::{DVec3, Vec3};
 
-use crate::common::directions::pairs;
-use crate::common::models;
+use brdf_checks::directions::pairs;
+use brdf_checks::models;
 
 const LENGTHS: [usize; 9] = [0, 1, 15, 16, 17, 127, 128, 129, 1000];
 
@@ -33,7 +33,7 @@ fn directions(count: usize) -> Vec<(DVec3, DVec3)> {
 }
 
 macro_rules! batches_equal_calls {
-    ($test:ident, $float:ident, $vector:ident, $narrow:expr) => {
+    ($test:ident, $models:expr, $float:ident, $vector:ident, $narrow:expr) => {
         #[test]
         fn $test() {
             let _alone = SELECTION.lock().unwrap();
@@ -52,8 +52,8 @@ macro_rules! batches_equal_calls {
             let bits = |values: &[$float]| values.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
             let vector_bits = |vectors: &[$vector]| planes(vectors).map(|plane| bits(&plane));
 
-            for entry in models::all::<$float>() {
-                let (name, model) = (entry.name, entry.model);
+            for entry in $models {
+                let (name, model) = (entry.name, &entry.model);
                 let calls = || wi.iter().zip(&wo);
                 let values: Vec<_> = calls().map(|(wi, wo)| model.eval(*wi, *wo)).collect();
                 let densities: Vec<_> = calls().map(|(wi, wo)| model.pdf(*wi, *wo)).collect();
@@ -118,8 +118,20 @@ macro_rules! batches_equal_calls {
         }
     };
 }
-batches_equal_calls!(f32_batches_have_the_bits_of_calls, f32, Vec3, |w: DVec3| w.as_vec3());
-batches_equal_calls!(f64_batches_have_the_bits_of_calls, f64, DVec3, |w: DVec3| w);
+batches_equal_calls!(
+    f32_batches_have_the_bits_of_calls,
+    models::single(),
+    f32,
+    Vec3,
+    |w: DVec3| w.as_vec3()
+);
+batches_equal_calls!(
+    f64_batches_have_the_bits_of_calls,
+    models::double(),
+    f64,
+    DVec3,
+    |w: DVec3| w
+);
 
 /// Colours with one, four and seven channels.
 #[test]

@@ -6,7 +6,7 @@ use brdf::batch::{BatchError, SampleBuffer, eval_each, pdf_each, sample_each};
 use brdf::{Beckmann, Brdf, CookTorrance, ParameterError, Schlick};
 use glam::Vec3;
 
-use crate::common::directions::pairs;
+use brdf_checks::directions::pairs;
 
 type Plastic = CookTorrance<Beckmann, Schlick>;
 

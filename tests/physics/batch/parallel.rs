@@ -4,7 +4,7 @@ use brdf::batch::{ColorBuffer, DirectionBuffer, Directions, SampleBuffer, parall
 use brdf::{Beckmann, Brdf, CookTorrance, Schlick};
 use glam::Vec3;
 
-use crate::common::directions::pairs;
+use brdf_checks::directions::pairs;
 
 #[test]
 fn any_number_of_threads_gives_the_bits_of_one() {

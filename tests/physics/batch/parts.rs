@@ -6,7 +6,7 @@ use brdf::{Gaussian, Ggx, Hall, Schlick};
 use glam::Vec3;
 
 use super::bits::SELECTION;
-use crate::common::directions::pairs;
+use brdf_checks::directions::pairs;
 
 #[test]
 fn fresnel_terms_have_the_bits_of_calls() {

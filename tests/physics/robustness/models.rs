@@ -1,18 +1,11 @@
 //! Every model under test at random, awkward and impossible directions.
 
-use std::f64::consts::PI;
-
 use brdf::Real;
 use proptest::prelude::*;
 
 use super::inputs::{pairs, uniforms};
-use crate::common::models::{self, Entry};
-use crate::common::sound::assert_sound;
-
-thread_local! {
-    static F32: Vec<Entry<f32>> = models::all();
-    static F64: Vec<Entry<f64>> = models::all();
-}
+use brdf_checks::models::{self, Entry};
+use brdf_checks::sound::assert_sound;
 
 fn assert_all_sound<T: Real<Mask = bool> + Into<f64>>(
     models: &[Entry<T>],
@@ -20,13 +13,7 @@ fn assert_all_sound<T: Real<Mask = bool> + Into<f64>>(
     u: [f64; 2],
 ) {
     for entry in models {
-        // Of the models that conserve energy, Blinn and Phong's lobe has the largest weights: 8
-        // for exponent 0, Lambert's surface, sampled by half vectors all the same. The
-        // printed lobes are at most 4/D(N) ≤ 4π times a microfacet surface. Oren and Nayar's
-        // surface is brighter by 0.45 times the tangent of the smaller angle.
-        let lobe = if entry.gain.is_none() { 8.0 } else { 4.0 * PI };
-        let grooves = if entry.name.contains("Oren-Nayar") { 0.45 } else { 0.0 };
-        let largest = |cos_i: f64, cos_o: f64| lobe + grooves / cos_i.max(cos_o);
+        let largest = |cos_i, cos_o| entry.promises.weight(cos_i, cos_o);
         assert_sound(entry.name, entry.model.as_ref(), largest, pair, u);
     }
 }
@@ -40,11 +27,11 @@ proptest! {
 
     #[test]
     fn every_answer_is_sound_in_f32(pair in pairs(), u in uniforms()) {
-        F32.with(|models| assert_all_sound(models, pair, u));
+        assert_all_sound(models::single(), pair, u);
     }
 
     #[test]
     fn every_answer_is_sound_in_f64(pair in pairs(), u in uniforms()) {
-        F64.with(|models| assert_all_sound(models, pair, u));
+        assert_all_sound(models::double(), pair, u);
     }
 }

@@ -6,32 +6,27 @@
 use std::f64::consts::{PI, TAU};
 
 use brdf::{
-    Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong, Conductor,
-    Constant, Cook, CookTorrance, CookTorrance1982Printed, Dielectric, Distribution, Fresnel,
-    Gaussian, Ggx, Hall, Lambert, Mixture, OrenNayar, ParameterError, Phong, Real, Schlick,
-    SchlickPower, SmithCorrelated, SmithSeparable, Vector, WeightedSum,
+    AnyBrdf, AnyFresnel, AnyMixture, Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong,
+    Brdf, ClassicPhong, Conductor, Constant, Cook, CookTorrance, CookTorrance1982Printed,
+    Dielectric, Distribution, Gaussian, Ggx, Hall, Lambert, OrenNayar, ParameterError, Phong, Real,
+    Schlick, SchlickPower, SmithCorrelated, SmithSeparable, Vector, WeightedSum,
 };
 
 use super::inputs::{UNIFORMS, directions};
-use crate::common::sound::assert_sound;
-
-type Boxed<T> = Box<dyn Brdf<T, Color = <T as Real>::Vec3>>;
-type Term<T> = Box<dyn Fresnel<T, Color = <T as Real>::Vec3>>;
+use brdf_checks::models::{Compiled, Model};
+use brdf_checks::sound::assert_sound;
 
 /// A model, and the largest weight of its samples for the two cosines.
 struct Case<T: Real> {
     name: String,
-    model: Boxed<T>,
+    model: Box<Model<T>>,
     largest_weight: Box<dyn Fn(f64, f64) -> f64>,
 }
 
-impl<T: Real> Case<T> {
-    fn new(
-        name: String,
-        largest_weight: f64,
-        model: impl Brdf<T, Color = T::Vec3> + 'static,
-    ) -> Self {
-        Self { name, model: Box::new(model), largest_weight: Box::new(move |_, _| largest_weight) }
+impl<T: Compiled> Case<T> {
+    fn new(name: String, largest_weight: f64, model: impl Into<AnyBrdf<T>>) -> Self {
+        let model = T::object(model.into());
+        Self { name, model, largest_weight: Box::new(move |_, _| largest_weight) }
     }
 }
 
@@ -42,7 +37,7 @@ fn gray<T: Real>(value: f64) -> T::Vec3 {
 const EXPONENTS: [f64; 10] = [0.0, 5e-324, 1e-40, 1e-8, 0.5, 0.9999999, 1.0, 1.0000001, 1e4, 1e8];
 const ROUGHNESS: [f64; 8] = [1e-8, 1e-6, 1e-3, 0.1, 1.0, 10.0, 1e3, 1e4];
 
-fn lobes<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
+fn lobes<T: Compiled + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
     let mut cases = Vec::new();
     let lit = T::lit;
     for color in [0.0, 5e-324, 1e-40, 1.0] {
@@ -91,7 +86,7 @@ fn lobes<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
         let b = 0.45 * sigma * sigma / (sigma * sigma + 0.09);
         cases.push(Case {
             name: format!("Oren-Nayar {sigma}"),
-            model: Box::new(model),
+            model: T::object(model.into()),
             largest_weight: Box::new(move |cos_i, cos_o| 1.0 + b / cos_i.max(cos_o)),
         });
     }
@@ -99,37 +94,37 @@ fn lobes<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
 }
 
 /// Fresnel terms, with the largest reflectance where it is above 1.
-fn terms<T: Real>() -> Result<Vec<(String, f64, Term<T>)>, ParameterError> {
-    let mut terms: Vec<(String, f64, Term<T>)> = Vec::new();
+fn terms<T: Real>() -> Result<Vec<(String, f64, AnyFresnel<T>)>, ParameterError> {
+    let mut terms: Vec<(String, f64, AnyFresnel<T>)> = Vec::new();
     for reflectance in [0.0, 1e-40, 1.0] {
         terms.push((
             format!("constant {reflectance}"),
             1.0,
-            Box::new(Constant::new(gray::<T>(reflectance))?),
+            Constant::new(gray::<T>(reflectance))?.into(),
         ));
         terms.push((
             format!("Schlick {reflectance}"),
             1.0,
-            Box::new(Schlick::new(gray::<T>(reflectance))?),
+            Schlick::new(gray::<T>(reflectance))?.into(),
         ));
     }
     let (below, above) = (1.0 - f64::from(f32::EPSILON), 1.0 + f64::from(f32::EPSILON));
     for n in [1e-4, 1e-3, below, 1.0, above, 100.0, 1e4] {
-        terms.push((format!("dielectric {n}"), 1.0, Box::new(Dielectric::new(gray::<T>(n))?)));
+        terms.push((format!("dielectric {n}"), 1.0, Dielectric::new(gray::<T>(n))?.into()));
         for k in [0.0, 1e-40, 1e-8, 1e3, 1e4] {
             let conductor = Conductor::new(gray::<T>(n), gray::<T>(k))?;
-            terms.push((format!("conductor {n} {k}"), 1.0, Box::new(conductor)));
+            terms.push((format!("conductor {n} {k}"), 1.0, conductor.into()));
         }
-        terms.push((format!("Hall {n}"), 1.0, Box::new(Hall::new(gray::<T>(0.1), T::lit(n))?)));
+        terms.push((format!("Hall {n}"), 1.0, Hall::new(gray::<T>(0.1), T::lit(n))?.into()));
         for light in [1e-40, 1e10] {
             let cook = Cook::new(gray::<T>(1.0), gray::<T>(light), T::lit(n))?;
-            terms.push((format!("Cook {n} {light}"), light, Box::new(cook)));
+            terms.push((format!("Cook {n} {light}"), light, cook.into()));
         }
     }
     Ok(terms)
 }
 
-fn microfacets<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
+fn microfacets<T: Compiled + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
     let mut cases = Vec::new();
     let lit = T::lit;
     let white = || Constant::new(gray::<T>(1.0));
@@ -154,11 +149,12 @@ fn microfacets<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
             CookTorrance1982Printed::new(beckmann, white()?),
         ));
         for weight in [0.0, 1e-29, 1e-10, 1.0, 1e10] {
-            let terms = [(lit(weight), ggx), (lit(1e-29), Ggx::new(lit(x))?)];
+            let terms = [(lit(weight), ggx.into()), (lit(1e-29), Ggx::new(lit(x))?.into())];
             cases.push(Case::new(
                 format!("mixture of GGX {x} {y}, weight {weight}"),
                 1.0,
-                CookTorrance::new(Mixture::new(terms)?, white()?).with_shadowing(SmithCorrelated),
+                CookTorrance::new(AnyMixture::new(terms)?, white()?)
+                    .with_shadowing(SmithCorrelated),
             ));
         }
     }
@@ -196,14 +192,14 @@ fn microfacets<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
     Ok(cases)
 }
 
-fn sums<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
+fn sums<T: Compiled + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
     let mut cases = Vec::new();
     let narrow = || {
         let mirror = CookTorrance::new(Ggx::new(T::lit(1e-8))?, Constant::new(gray::<T>(1.0))?);
-        Ok(Box::new(mirror) as Boxed<T>)
+        Ok(AnyBrdf::from(mirror))
     };
     for weight in [0.0, 1e-29, 1e-8, 1.0, 1e10] {
-        let diffuse: Boxed<T> = Box::new(Lambert::new(gray::<T>(1.0))?);
+        let diffuse = AnyBrdf::from(Lambert::new(gray::<T>(1.0))?);
         let sum = WeightedSum::new([
             (gray::<T>(weight), diffuse),
             (gray::<T>(1.0), narrow()?),
@@ -215,7 +211,7 @@ fn sums<T: Real + Into<f64>>() -> Result<Vec<Case<T>>, ParameterError> {
     Ok(cases)
 }
 
-fn assert_cases_sound<T: Real<Mask = bool> + Into<f64>>(cases: Vec<Case<T>>) {
+fn assert_cases_sound<T: Compiled<Mask = bool> + Into<f64>>(cases: Vec<Case<T>>) {
     let directions = directions();
     for (index, case) in cases.iter().enumerate() {
         let mut step = index;

@@ -1,6 +1,0 @@
-//! Spectra to colours: the tables of the observer and the illuminants, and what is made of them.
-
-mod colors;
-mod generate;
-#[path = "../common/tables.rs"]
-mod tables;
