@@ -73,6 +73,10 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
         each!(self, model => pdf(model, wi, wo))
     }
 
+    fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3) -> (C, T) {
+        each!(self, model => eval_pdf(model, wi, wo))
+    }
+
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         each!(self, model => sample(model, wo, u))
     }
@@ -87,6 +91,15 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
 
     fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
         each!(self, model => model.pdf_block(pairs, pdf));
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        values: &mut ColorBlock<T, C>,
+        pdf: &mut Plane<T>,
+    ) {
+        each!(self, model => model.eval_pdf_block(pairs, values, pdf));
     }
 
     fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, C>) {
@@ -104,6 +117,11 @@ fn eval<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> M::Color {
 #[inline(never)]
 fn pdf<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> T {
     model.pdf(wi, wo)
+}
+
+#[inline(never)]
+fn eval_pdf<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> (M::Color, T) {
+    model.eval_pdf(wi, wo)
 }
 
 #[inline(never)]

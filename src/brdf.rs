@@ -1,6 +1,7 @@
 //! The trait that all reflectance models share.
 
 use alloc::boxed::Box;
+use alloc::sync::Arc;
 use core::array;
 
 use crate::block::{
@@ -36,6 +37,23 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
 
     /// The density per steradian with which [`sample`](Self::sample) returns `wi` for `wo`.
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T;
+
+    /// [`eval`](Self::eval) and [`pdf`](Self::pdf) of the same pair, for multiple importance
+    /// sampling. Models whose value and density have much in common compute it once.
+    ///
+    /// ```
+    /// use brdf::{Brdf, Ggx, Schlick, CookTorrance};
+    /// use glam::Vec3;
+    ///
+    /// let plastic = CookTorrance::new(Ggx::new(0.3)?, Schlick::new(Vec3::splat(0.04))?);
+    /// let (wi, wo) = (Vec3::new(0.6, 0.0, 0.8), Vec3::Z);
+    /// assert_eq!(plastic.eval_pdf(wi, wo), (plastic.eval(wi, wo), plastic.pdf(wi, wo)));
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    #[inline(always)]
+    fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3) -> (Self::Color, T) {
+        (self.eval(wi, wo), self.pdf(wi, wo))
+    }
 
     /// Draws `wi` for `wo` from two independent uniform numbers in [0, 1).
     ///
@@ -78,6 +96,17 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         );
     }
 
+    /// [`eval_pdf`](Self::eval_pdf) for a block of pairs, as [`eval_block`](Self::eval_block).
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        values: &mut ColorBlock<T, Self::Color>,
+        pdf: &mut Plane<T>,
+    ) {
+        self.eval_block(pairs, values);
+        self.pdf_block(pairs, pdf);
+    }
+
     /// [`sample`](Self::sample) for a block of viewers, as [`eval_block`](Self::eval_block).
     fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, Self::Color>) {
         draws.samples(
@@ -117,6 +146,25 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     ) -> Result<(), BatchError> {
         run(Pairs { wi, wo }, Numbers(pdf, "pdf"), &mut |pairs, _, pdf| {
             self.pdf_block(pairs, pdf);
+            Ok(())
+        })
+    }
+
+    /// [`eval_pdf`](Self::eval_pdf) for many pairs of directions, bit for bit. Models override
+    /// [`eval_pdf_block`](Self::eval_pdf_block) and not this.
+    ///
+    /// # Errors
+    /// If slices differ in length.
+    fn eval_pdf_batch(
+        &self,
+        wi: Directions<'_, T>,
+        wo: Directions<'_, T>,
+        values: ColorBuffer<'_, T, Self::Color>,
+        pdf: &mut [T],
+    ) -> Result<(), BatchError> {
+        let answers = (values, Numbers(pdf, "pdf"));
+        run(Pairs { wi, wo }, answers, &mut |pairs, _, (values, pdf)| {
+            self.eval_pdf_block(pairs, values, pdf);
             Ok(())
         })
     }
@@ -205,6 +253,10 @@ macro_rules! forward {
                 (**self).pdf(wi, wo)
             }
             #[inline(always)]
+            fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3) -> (M::Color, T) {
+                (**self).eval_pdf(wi, wo)
+            }
+            #[inline(always)]
             fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, M::Color> {
                 (**self).sample(wo, u)
             }
@@ -218,6 +270,14 @@ macro_rules! forward {
             fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
                 (**self).pdf_block(pairs, pdf);
             }
+            fn eval_pdf_block(
+                &self,
+                pairs: PairBlock<'_, T>,
+                values: &mut ColorBlock<T, M::Color>,
+                pdf: &mut Plane<T>,
+            ) {
+                (**self).eval_pdf_block(pairs, values, pdf);
+            }
             fn sample_block(
                 &self,
                 draws: DrawBlock<'_, T>,
@@ -228,5 +288,6 @@ macro_rules! forward {
         }
     };
 }
+forward!(Arc<M>);
 forward!(Box<M>);
 forward!(&M);

@@ -37,6 +37,9 @@ mod real;
 mod sampling;
 mod sum;
 
+/// The vectors and colours of `f32` and `f64`, in the version that this crate uses.
+pub use glam;
+
 pub use any::{AnyBrdf, AnyCookTorrance};
 pub use brdf::{Brdf, Sample};
 pub use colorimetry::{Illuminant, Observer};

@@ -126,6 +126,18 @@ where
         sum.min(T::max_finite())
     }
 
+    #[inline(always)]
+    fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3) -> (C, T) {
+        let (value, pdf) = self.terms.iter().fold(
+            (C::splat(T::zero()), T::zero()),
+            |(values, densities), term| {
+                let (value, pdf) = term.model.eval_pdf(wi, wo);
+                (values + term.weight * value, densities + term.probability * pdf)
+            },
+        );
+        (limited(value), pdf.min(T::max_finite()))
+    }
+
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let (u, mut start, mut kept) = (uniform(u), T::zero(), Kept::new());
         for (index, term) in self.terms.iter().enumerate() {
@@ -140,7 +152,8 @@ where
             }
             start = end;
         }
-        kept.sample(self.pdf(kept.wi, wo), self.eval(kept.wi, wo))
+        let (value, pdf) = self.eval_pdf(kept.wi, wo);
+        kept.sample(pdf, value)
     }
 
     fn albedo(&self, wo: T::Vec3) -> C {
@@ -153,18 +166,7 @@ where
         let (mut sum, mut each) = (black::<T, C>(), black::<T, C>());
         for term in &self.terms {
             term.model.eval_block(pairs, &mut each);
-            let weights = term.weight.channels();
-            pairs.within(
-                #[inline(always)]
-                || {
-                    let channels = sum.as_mut().iter_mut().zip(each.as_ref());
-                    for ((sum, each), weight) in channels.zip(weights.as_ref()) {
-                        for (sum, each) in sum.iter_mut().zip(each) {
-                            *sum = *sum + *weight * *each;
-                        }
-                    }
-                },
-            );
+            add::<T, C>(pairs, &mut sum, term.weight, &each);
         }
         for (values, sum) in values.as_mut().iter_mut().zip(sum.as_ref()) {
             *values = sum.map(|sum| sum.min(T::max_finite()));
@@ -179,6 +181,27 @@ where
             for (sum, pdf) in sum.iter_mut().zip(each) {
                 *sum = *sum + term.probability * pdf;
             }
+        }
+        *pdf = sum.map(|sum| sum.min(T::max_finite()));
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        values: &mut ColorBlock<T, C>,
+        pdf: &mut Plane<T>,
+    ) {
+        let (mut value, mut density) = (black::<T, C>(), [T::zero(); BLOCK]);
+        let (mut values_sum, mut sum) = (black::<T, C>(), density);
+        for term in &self.terms {
+            term.model.eval_pdf_block(pairs, &mut value, &mut density);
+            add::<T, C>(pairs, &mut values_sum, term.weight, &value);
+            for (sum, pdf) in sum.iter_mut().zip(density) {
+                *sum = *sum + term.probability * pdf;
+            }
+        }
+        for (values, sum) in values.as_mut().iter_mut().zip(values_sum.as_ref()) {
+            *values = sum.map(|sum| sum.min(T::max_finite()));
         }
         *pdf = sum.map(|sum| sum.min(T::max_finite()));
     }
@@ -201,14 +224,35 @@ where
         let wi = kept.each_ref().map(|kept| kept.wi);
         let wi = [wi.map(Vector::x), wi.map(Vector::y), wi.map(Vector::z)];
         let pairs = draws.lit_from(wi.each_ref());
-        self.pdf_block(pairs, &mut pdf);
-        self.eval_block(pairs, &mut values);
+        self.eval_pdf_block(pairs, &mut values, &mut pdf);
         draws.samples(
             samples,
             #[inline(always)]
             |index| kept[index].sample(pdf[index], C::at(&values, index)),
         );
     }
+}
+
+/// Adds weighted colours to a block.
+#[inline(always)]
+fn add<T: Real, C: Color<T>>(
+    pairs: PairBlock<'_, T>,
+    sum: &mut ColorBlock<T, C>,
+    weight: C,
+    each: &ColorBlock<T, C>,
+) {
+    let weights = weight.channels();
+    pairs.within(
+        #[inline(always)]
+        || {
+            let channels = sum.as_mut().iter_mut().zip(each.as_ref());
+            for ((sum, each), weight) in channels.zip(weights.as_ref()) {
+                for (sum, each) in sum.iter_mut().zip(each) {
+                    *sum = *sum + *weight * *each;
+                }
+            }
+        },
+    );
 }
 
 /// A block of black.

@@ -77,6 +77,11 @@ impl Length {
         self.length
     }
 
+    /// Whether another argument has the same length.
+    pub(super) fn agree(&self, other: &Self) -> Result<(), BatchError> {
+        self.check(other.argument, other.length)
+    }
+
     pub(super) fn check(&self, other: &'static str, other_length: usize) -> Result<(), BatchError> {
         let &Self { argument, length } = self;
         if length == other_length {

@@ -190,6 +190,39 @@ impl<T: Real> Output for Numbers<'_, T> {
     }
 }
 
+/// Two kinds of answers at once.
+impl<A: Output, B: Output> Output for (A, B) {
+    type Block = (A::Block, B::Block);
+
+    #[inline(always)]
+    fn memory() -> Self::Block {
+        (A::memory(), B::memory())
+    }
+
+    fn length(&self) -> Result<Length, BatchError> {
+        let (first, second) = (self.0.length()?, self.1.length()?);
+        first.agree(&second)?;
+        Ok(first)
+    }
+
+    #[inline(always)]
+    fn in_place(&mut self, _: usize) -> Option<&mut Self::Block> {
+        None
+    }
+
+    #[inline(always)]
+    fn write(&mut self, start: usize, block: &Self::Block) {
+        self.0.write(start, &block.0);
+        self.1.write(start, &block.1);
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (first, second) = (self.0.split(middle), self.1.split(middle));
+        ((first.0, second.0), (first.1, second.1))
+    }
+}
+
 impl<T: Real, C: Color<T>> Output for SampleBuffer<'_, T, C> {
     type Block = SampleBlock<T, C>;
 

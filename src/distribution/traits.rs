@@ -1,6 +1,7 @@
 //! What a distribution of facet normals can do.
 
 use alloc::boxed::Box;
+use alloc::sync::Arc;
 use core::array;
 
 use crate::block::{
@@ -173,5 +174,6 @@ macro_rules! forward {
         }
     };
 }
+forward!(Arc<D>);
 forward!(Box<D>);
 forward!(&D);

@@ -1,6 +1,7 @@
 //! What a Fresnel term can do.
 
 use alloc::boxed::Box;
+use alloc::sync::Arc;
 
 use crate::block::{BatchError, Block, ColorBlock, ColorBuffer, CosineBlock, Cosines, run};
 use crate::quadrature::integrate;
@@ -136,6 +137,7 @@ macro_rules! forward {
         }
     };
 }
+forward!(Arc<F>);
 forward!(Box<F>);
 forward!(&F);
 

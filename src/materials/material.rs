@@ -148,11 +148,14 @@ impl Material {
     /// assert!((red.eta - 3.8393).abs() < 1e-4 && (red.k - 0.01555).abs() < 1e-5);
     /// let lines = SILICON.refractive_index(Spectrum([488.0_f32, 658.0]))?;
     /// assert!((lines.eta.0[1] - 3.8393).abs() < 1e-4);
+    /// // A hair beyond the end of the range, 826.6 nm.
+    /// SILICON.refractive_index(295.2 + 100.0 * ((826.6 - 295.2) / 100.0))?;
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     ///
     /// # Errors
-    /// If a wavelength is not in [`range`](Self::range).
+    /// If a wavelength is not in [`range`](Self::range); one that lies beyond by rounding counts as its
+    /// end.
     pub fn refractive_index<T, C>(
         &self,
         wavelength: C,
@@ -162,7 +165,13 @@ impl Material {
         C: Color<T>,
     {
         let (shortest, longest) = self.samples.range();
-        Range::new(shortest, longest).check("wavelength", wavelength)?;
+        // What leaves the range by the rounding of a product or of a sum counts as its end.
+        let rounding = 4.0 * T::SPACING;
+        if let Some(value) =
+            wavelength.outside(shortest * (1.0 - rounding), longest * (1.0 + rounding))
+        {
+            Range::new(shortest, longest).check("wavelength", value)?;
+        }
         let at = |wavelength: T| self.samples.interpolate(wavelength.into());
         Ok(RefractiveIndex {
             eta: wavelength.map(|wavelength| T::lit(at(wavelength).eta)),

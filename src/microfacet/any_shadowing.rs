@@ -170,6 +170,19 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
     }
 
     #[inline]
+    fn mirrored_pdf(
+        &self,
+        distribution: &AnyDistribution<T>,
+        wi: T::Vec3,
+        wo: T::Vec3,
+    ) -> (Mirrored<T>, T) {
+        chosen!(
+            self, distribution, kind => call(|| kind.mirrored_pdf(distribution, wi, wo)),
+            each_distribution!(distribution, one => call(|| VCavity.mirrored_pdf(one, wi, wo)))
+        )
+    }
+
+    #[inline]
     fn mirror(&self, distribution: &AnyDistribution<T>, wo: T::Vec3, h: T::Vec3) -> Draw<T> {
         chosen!(
             self, distribution, kind => call(|| kind.mirror(distribution, wo, h)),
@@ -210,6 +223,20 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
         block!(
             self, distribution, kind => kind.pdf_block(distribution, pairs, densities),
             pdf(pairs, densities)
+        );
+    }
+
+    fn mirrored_pdf_block(
+        &self,
+        distribution: &AnyDistribution<T>,
+        pairs: PairBlock<'_, T>,
+        mirrored: &mut [Plane<T>; 2],
+        densities: &mut Plane<T>,
+    ) {
+        block!(
+            self, distribution,
+            kind => kind.mirrored_pdf_block(distribution, pairs, mirrored, densities),
+            mirrored_pdf(pairs, mirrored, densities)
         );
     }
 

@@ -135,6 +135,13 @@ where
     }
 
     #[inline(always)]
+    fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3) -> (F::Color, T) {
+        let (Mirrored { cos, scale }, pdf) =
+            self.shadowing.mirrored_pdf(&self.distribution, wi, wo);
+        (self.fresnel.reflected(cos, scale), pdf)
+    }
+
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
         let (distribution, shadowing) = (&self.distribution, &self.shadowing);
         let h = shadowing.sample_visible(distribution, wo, u);
@@ -154,6 +161,17 @@ where
 
     fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
         self.shadowing.pdf_block(&self.distribution, pairs, pdf);
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        values: &mut ColorBlock<T, F::Color>,
+        pdf: &mut Plane<T>,
+    ) {
+        let mut mirrored = [[T::zero(); BLOCK]; 2];
+        self.shadowing.mirrored_pdf_block(&self.distribution, pairs, &mut mirrored, pdf);
+        self.fresnel.reflected_block(pairs.of(mirrored.each_ref()), values);
     }
 
     fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, F::Color>) {

@@ -83,6 +83,17 @@ pub(super) fn pdf<T: Real, S: Areas<T>>(
 }
 
 #[inline(never)]
+pub(super) fn mirrored_pdf<T: Real, S: Areas<T>>(
+    mixture: &AnyMixture<T>,
+    pairs: PairBlock<'_, T>,
+    mirrored_planes: &mut [Plane<T>; 2],
+    densities: &mut Plane<T>,
+) {
+    mirrored::<T, S>(mixture, pairs, mirrored_planes);
+    pdf::<T, S>(mixture, pairs, densities);
+}
+
+#[inline(never)]
 pub(super) fn mirror<T: Real, S: Areas<T>>(
     mixture: &AnyMixture<T>,
     draws: DrawBlock<'_, T>,

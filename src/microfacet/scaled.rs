@@ -78,6 +78,12 @@ impl<T: Real, M: Brdf<T>> Brdf<T> for Scaled<M, T> {
     }
 
     #[inline(always)]
+    fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3) -> (M::Color, T) {
+        let (value, pdf) = self.model.eval_pdf(wi, wo);
+        (Scaled::limited(value, self.scale), pdf)
+    }
+
+    #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, M::Color> {
         let sample = self.model.sample(wo, u);
         Sample { weight: Scaled::limited(sample.weight, self.scale), ..sample }
@@ -90,6 +96,16 @@ impl<T: Real, M: Brdf<T>> Brdf<T> for Scaled<M, T> {
 
     fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
         self.model.pdf_block(pairs, pdf);
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        values: &mut ColorBlock<T, M::Color>,
+        pdf: &mut Plane<T>,
+    ) {
+        self.model.eval_pdf_block(pairs, values, pdf);
+        Scaled::limit::<M::Color>(values, self.scale);
     }
 
     fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, M::Color>) {

@@ -2,6 +2,7 @@
 //! surface of facets, all but the Fresnel term.
 
 use alloc::boxed::Box;
+use alloc::sync::Arc;
 use core::array;
 
 use crate::block::{DrawBlock, PairBlock, Plane};
@@ -65,6 +66,22 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
         pdf(distribution, self, wi, wo)
     }
 
+    /// Both.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn mirrored_pdf(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> (Mirrored<T>, T) {
+        in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let pair = Pair::new(wi, wo);
+                let density = distribution.density_along(pair.sum);
+                let visibility = self.visibility(distribution, &pair);
+                let masking = self.masking(distribution, &pair);
+                (Mirrored::of(&pair, density, visibility), pdf_of(&pair, density, masking))
+            },
+        )
+    }
+
     /// [`Draw`] from a normal.
     #[doc(hidden)]
     #[inline(always)]
@@ -96,6 +113,28 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
             array::from_mut(densities),
             #[inline(always)]
             |index| [self.pdf(distribution, pairs.wi(index), pairs.wo(index))],
+        );
+    }
+
+    /// Both for a block of pairs.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn mirrored_pdf_block(
+        &self,
+        distribution: &D,
+        pairs: PairBlock<'_, T>,
+        mirrored: &mut [Plane<T>; 2],
+        densities: &mut Plane<T>,
+    ) {
+        pairs.changed(
+            array::from_mut(densities),
+            mirrored,
+            #[inline(always)]
+            |index, _| {
+                let (wi, wo) = (pairs.wi(index), pairs.wo(index));
+                let (mirrored, pdf) = self.mirrored_pdf(distribution, wi, wo);
+                ([pdf], mirrored.planes())
+            },
         );
     }
 
@@ -288,6 +327,10 @@ macro_rules! forward {
                 (**self).pdf(distribution, wi, wo)
             }
             #[inline(always)]
+            fn mirrored_pdf(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> (Mirrored<T>, T) {
+                (**self).mirrored_pdf(distribution, wi, wo)
+            }
+            #[inline(always)]
             fn mirror(&self, distribution: &D, wo: T::Vec3, h: T::Vec3) -> Draw<T> {
                 (**self).mirror(distribution, wo, h)
             }
@@ -307,6 +350,15 @@ macro_rules! forward {
             ) {
                 (**self).pdf_block(distribution, pairs, densities);
             }
+            fn mirrored_pdf_block(
+                &self,
+                distribution: &D,
+                pairs: PairBlock<'_, T>,
+                mirrored: &mut [Plane<T>; 2],
+                densities: &mut Plane<T>,
+            ) {
+                (**self).mirrored_pdf_block(distribution, pairs, mirrored, densities);
+            }
             fn mirror_block(
                 &self,
                 distribution: &D,
@@ -319,5 +371,6 @@ macro_rules! forward {
         }
     };
 }
+forward!(Arc<S>);
 forward!(Box<S>);
 forward!(&S);
