@@ -1,6 +1,7 @@
 //! Bugs seeded on purpose, one at a time: the checks find every one.
 
 use brdf_checks::models;
+use brdf_checks::mutation::files::{known, of_forms, survivors};
 use brdf_checks::mutation::list::mutants;
 use brdf_checks::mutation::mutant::{run, table};
 use brdf_checks::mutation::suite::Suite;
@@ -31,4 +32,36 @@ fn every_mutant_is_killed() {
     assert!(outcomes.len() >= 20);
     let alive: Vec<_> = outcomes.iter().filter(|outcome| !outcome.killed()).collect();
     assert!(alive.is_empty(), "{} of {}: {alive:#?}", alive.len(), outcomes.len());
+}
+
+/// A new form has its obvious bugs looked for in its own file, if nothing else is known of it.
+#[test]
+fn the_obvious_bugs_in_the_files_of_forms_are_found() {
+    let files = of_forms();
+    assert!(files.contains("src/diffuse/lambert.rs") && files.contains("src/fresnel/conductor.rs"));
+    let known = |file: &str| known().iter().find(|known| known.file == file);
+    let suite = Suite::recorded();
+    for file in &files {
+        let known = known(file);
+        if known.is_some_and(|known| known.skipped.is_some()) {
+            continue;
+        }
+        let mut want: Vec<(String, String)> = known
+            .iter()
+            .flat_map(|known| &known.survivors)
+            .map(|survivor| (survivor.line.clone(), survivor.bug.clone()))
+            .collect();
+        let mut got = survivors(&suite, file);
+        want.sort();
+        got.sort();
+        assert_eq!(got, want, "{file}");
+    }
+}
+
+#[test]
+fn what_is_known_of_files_is_of_files_of_forms() {
+    let files = of_forms();
+    for known in known() {
+        assert!(files.contains(&known.file), "{}", known.file);
+    }
 }

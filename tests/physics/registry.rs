@@ -7,7 +7,6 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use brdf_checks::models::{self, Bounds, Promises, Row};
 use brdf_checks::path;
 use serde::de::DeserializeOwned;
-use serde_json::Value;
 
 /// The sources of the crate without comments and tests, each as one line.
 fn sources() -> Vec<String> {
@@ -83,30 +82,9 @@ fn without_parameters(text: &str) -> Option<&str> {
     None
 }
 
-/// What is written in the lines of the registry: names of forms, keys and words, with the defaults
-/// of keys that are left out; a truth value as `key: true`.
+/// What is written in the lines of the registry.
 fn written() -> BTreeSet<String> {
-    fn collect(value: &Value, found: &mut BTreeSet<String>) {
-        match value {
-            Value::String(word) => _ = found.insert(word.clone()),
-            Value::Array(list) => list.iter().for_each(|value| collect(value, found)),
-            Value::Object(keys) => {
-                for (key, value) in keys {
-                    found.insert(key.clone());
-                    if let Value::Bool(truth) = value {
-                        found.insert(format!("{key}: {truth}"));
-                    }
-                    collect(value, found);
-                }
-            }
-            Value::Null | Value::Bool(_) | Value::Number(_) => {}
-        }
-    }
-    let mut found = BTreeSet::new();
-    for row in models::rows() {
-        collect(&serde_json::to_value(&row.brdf).expect("it can be written"), &mut found);
-    }
-    found
+    models::rows().iter().flat_map(Row::words).collect()
 }
 
 /// What a reader expects in the place of a name that it does not know.

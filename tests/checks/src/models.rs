@@ -1,6 +1,7 @@
 //! The registry, `tests/registry.jsonl`: every model with representative parameters, in any number.
 //! What holds of all models is tested over this list; a new model gets the whole suite by its line.
 
+use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
 use brdf::description::BrdfDescription;
@@ -219,8 +220,19 @@ impl Row {
     }
 
     /// What the form of its description is called.
-    pub fn form(&self) -> String {
-        tag(&self.brdf)
+    fn form(&self) -> String {
+        let value = serde_json::to_value(&self.brdf).expect("a description can be written");
+        let form = value.as_object().and_then(|form| form.keys().next());
+        form.expect("a form has a name").clone()
+    }
+
+    /// What is written in its description: names of forms, keys and words, with the defaults of keys
+    /// that are left out; a truth value as `key: true`.
+    pub fn words(&self) -> BTreeSet<String> {
+        let mut found = BTreeSet::new();
+        let value = serde_json::to_value(&self.brdf).expect("a description can be written");
+        collect_words(&value, &mut found);
+        found
     }
 
     /// What the Rust type of the model is called, without the types of its parts.
@@ -249,11 +261,21 @@ fn round(value: &mut Value) {
     }
 }
 
-/// The name of a form.
-fn tag(description: &BrdfDescription) -> String {
-    let value = serde_json::to_value(description).expect("a description can be written");
-    let form = value.as_object().and_then(|form| form.keys().next());
-    form.expect("a form has a name").clone()
+fn collect_words(value: &Value, found: &mut BTreeSet<String>) {
+    match value {
+        Value::String(word) => _ = found.insert(word.clone()),
+        Value::Array(list) => list.iter().for_each(|value| collect_words(value, found)),
+        Value::Object(keys) => {
+            for (key, value) in keys {
+                found.insert(key.clone());
+                if let Value::Bool(truth) = value {
+                    found.insert(format!("{key}: {truth}"));
+                }
+                collect_words(value, found);
+            }
+        }
+        Value::Null | Value::Bool(_) | Value::Number(_) => {}
+    }
 }
 
 /// `OrenNayar` for `oren_nayar`.

@@ -3,6 +3,7 @@
 //! Nothing of it is in the crate. The formulas run over a number that errs at one place of the
 //! source, [`Faulty`](super::faulty::Faulty), and the checks look at them as at any other.
 
+pub mod files;
 mod laws;
 pub mod list;
 pub mod mutant;

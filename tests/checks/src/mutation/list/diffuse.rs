@@ -19,7 +19,7 @@ pub(super) static MUTANTS: [Mutant; 18] = [
     Mutant::new("Lambert", "samples crowd at the normal: the radius without its root", SAMPLING,
         "let radius = radius_squared.▸sqrt();", Sqrt, LEFT),
     Mutant::new("Lambert", "samples in one half of the azimuths: π for 2π", SAMPLING,
-        "turn.▸sin_cos_turns()", SinCosTurns, |turns, _, _| 0.5 * turns),
+        "let radius = radius_squared.sqrt();\n    let (sin, cos) = turn.▸sin_cos_turns()", SinCosTurns, |turns, _, _| 0.5 * turns),
     Mutant::new("Oren–Nayar", "f without 1/π", OREN_NAYAR,
         "let value = ▸T::lit(FRAC_1_PI) * self.relative(wi, wo);", Literal, ONE),
     Mutant::new("Oren–Nayar", "σ for σ²", OREN_NAYAR,
