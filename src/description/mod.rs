@@ -17,6 +17,8 @@
 //! | `{"phong": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the highlight of 1975 over the cosine |
 //! | `{"blinn_phong": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the classic lobe |
 //! | `{"schlick_power": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the classic lobe |
+//! | `{"minnaert": {"albedo": C, "k": k}}` | |
+//! | `{"lommel_seeliger": {"w": C, "xi": 0}}` | below 0 grains scatter back |
 //! | `{"cook_torrance": {"distribution": D, "fresnel": F, "shadowing": "v_cavity"}}` | or `"smith"` (height-correlated), `"smith_separable"`, both for Beckmann, GGX and mixtures of them |
 //! | `{"torrance_sparrow_1967": {"c": c, "fresnel": F}}` | c in 1/degree |
 //! | `{"cook_torrance_1982_printed": {"roughness": R, "fresnel": F}}` | |

@@ -44,6 +44,14 @@ model! {
     pub fn new;
 }
 
+impl<T: Real, C: Color<T>> GeneralSchlick<C, T> {
+    /// F₀ + (F₉₀ − F₀) w, which is the colour itself at both ends.
+    #[inline(always)]
+    fn between(&self, weight: T) -> C {
+        self.f0 * (T::one() - weight) + self.f90 * weight
+    }
+}
+
 impl<T: Real, C: Color<T>> Fresnel<T> for GeneralSchlick<C, T> {
     type Color = C;
 
@@ -54,13 +62,13 @@ impl<T: Real, C: Color<T>> Fresnel<T> for GeneralSchlick<C, T> {
         let oblique = versine.gt(T::zero());
         let base = T::select(oblique, versine, T::one());
         let weight = base.powf(self.exponent).only_where(oblique);
-        self.f0.zip(self.f90, |f0, f90| f0 + (f90 - f0) * weight)
+        self.between(weight)
     }
 
     #[inline(always)]
     fn average(&self) -> C {
         let (one, two) = (T::one(), T::lit(2.0));
         let weight = two / ((self.exponent + one) * (self.exponent + two));
-        self.f0.zip(self.f90, |f0, f90| f0 + (f90 - f0) * weight)
+        self.between(weight)
     }
 }

@@ -130,9 +130,6 @@ fn every_model_of_the_registry_answers() {
     let (double, tally) = ask_all(questions.as_bytes(), Precision::Double);
     assert_eq!(tally.failed, 0);
     let (single, _) = ask_all(questions.as_bytes(), Precision::Single);
-    let same = |name: &str, answers: &[Value], want: [Value; 3]| {
-        assert_eq!(answers, want, "{name}");
-    };
     macro_rules! compare {
         ($answers:expr, $models:expr, $number:ident, $vector:ident) => {
             for (answers, entry) in $answers.chunks(3).zip($models) {
@@ -146,7 +143,17 @@ fn every_model_of_the_registry_answers() {
                     json!({"wi": drawn, "weight": weight, "pdf": sample.pdf}),
                     json!({"albedo": model.albedo(wo).to_array()}),
                 ];
-                same(entry.name, answers, want);
+                for (answer, want) in answers.iter().zip(want) {
+                    // The shortest text of a number in single precision is another one in double.
+                    let [got, wanted] = [answer, &want].map(|answer| {
+                        numbers(answer).into_iter().map(|number| number as $number)
+                    });
+                    assert!(got.eq(wanted), "{}: {answer}, not {want}", entry.name);
+                    let keys = |answer: &Value| {
+                        answer.as_object().map(|object| object.keys().cloned().collect::<Vec<_>>())
+                    };
+                    assert_eq!(keys(answer), keys(&want), "{}", entry.name);
+                }
             }
         };
     }

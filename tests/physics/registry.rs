@@ -145,6 +145,7 @@ fn is_written(type_name: &str) -> bool {
     let form = match type_name {
         "SmithCorrelated" => "smith".to_owned(),
         "SmithMixture" => "mixture".to_owned(),
+        "GeneralSchlick" => "schlick".to_owned(),
         other => snake_case(other),
     };
     written().contains(&form)
