@@ -40,7 +40,8 @@ pub struct Promises {
     /// How far its `albedo` may be from the integral, relative to an albedo above 1: the error of
     /// its formula, or that of the lattice of samples behind the default.
     pub albedo_error: f64,
-    /// No sample weighs more, but for what grooves add.
+    /// No sample weighs more, but for what grooves add; 10³⁰⁸ for weights
+    /// without bound.
     pub largest_weight: f64,
     /// What is added to the largest weight, over the larger of both cosines.
     pub grooves: f64,

@@ -9,6 +9,7 @@ mod fresnel;
 mod limits;
 mod lobes;
 mod microfacet;
+mod planetary;
 mod reference;
 
 use std::error::Error;
@@ -46,6 +47,7 @@ fn all<T: Number>() -> Vec<Check> {
         &distributions::all::<T>(),
         &microfacet::all::<T>(),
         &lobes::all::<T>(),
+        &planetary::all::<T>(),
         &limits::all::<T>(),
     ]
     .concat()
