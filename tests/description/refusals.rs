@@ -117,6 +117,12 @@ fn values_out_of_range_name_their_place_and_the_range() {
 
 #[test]
 fn mistakes_of_form_name_their_place() {
+    let error = model_error(r#"{"lambret": {"albedo": 1}}"#);
+    assert!(error.starts_with("lambret: unknown name, expected one of `lambert`, "), "{error}");
+    for row in models::rows() {
+        let form = row.form();
+        assert!(error.contains(&format!("`{form}`")), "{form}: {error}");
+    }
     for (text, message) in [
         (
             r#"{"phong": {"specular": 1, "exponent": 2, "sharpness": 3}}"#,

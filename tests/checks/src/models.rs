@@ -221,7 +221,7 @@ impl Row {
     }
 
     /// What the form of its description is called.
-    fn form(&self) -> String {
+    pub fn form(&self) -> String {
         let value = serde_json::to_value(&self.brdf).expect("a description can be written");
         let form = value.as_object().and_then(|form| form.keys().next());
         form.expect("a form has a name").clone()

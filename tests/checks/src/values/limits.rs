@@ -101,7 +101,11 @@ fn diffuse_limits<T: Number>() -> Verdict {
     ];
     models
         .iter()
-        .try_for_each(|(what, model)| near(what, model.eval(wi, wo), 0.5 * FRAC_1_PI, 1e-15))
+        .try_for_each(|(what, model)| near(what, model.eval(wi, wo), 0.5 * FRAC_1_PI, 1e-15))?;
+    // Both at the horizon, where the slope of a rough surface has no bound.
+    let horizon = vector::<T>(DVec3::new(1.0, 0.0, f64::MIN_POSITIVE / 1e15));
+    let smooth = OrenNayar::new(half, zero)?;
+    near("Oren–Nayar at the horizon", smooth.eval(horizon, horizon), 0.5 * FRAC_1_PI, 1e-15)
 }
 
 /// Weights that do not add up to 1: the probabilities still do, and each is met by as many numbers.
