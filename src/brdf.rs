@@ -57,8 +57,8 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
 
     /// Draws `wi` for `wo` from two independent uniform numbers in [0, 1).
     ///
-    /// To the models of this crate 1 is a number as good as the others; what lies outside 0 … 1
-    /// counts as the nearer end, NaN as 0. An end may be that of a tail, a direction of next to no
+    /// The models of this crate take 1 too; what lies outside 0 … 1 counts as the nearer end, NaN
+    /// as 0. An end may be that of a tail, a direction of next to no
     /// density: generators of `f32` in steps of 2⁻²⁴ draw 0 itself once in 1.7·10⁷ times, where it
     /// stands for all numbers up to the next.
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, Self::Color>;

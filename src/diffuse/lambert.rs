@@ -64,6 +64,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for Lambert<C> {
 
     #[inline(always)]
     fn albedo(&self, wo: T::Vec3) -> C {
-        C::choose(above_surface::<T, _>(wo), self.albedo, C::splat(T::zero()))
+        self.albedo.only_where(above_surface::<T, _>(wo))
     }
 }

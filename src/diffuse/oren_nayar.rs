@@ -123,6 +123,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for OrenNayar<C, T> {
         let tangent = sin * cos * (one + sin + sin * sin) / (one + sin);
         let integral = sin * (theta - sin * cos) * T::lit(0.5) + tangent * third;
         let value = self.a + self.b * T::lit(FRAC_2_PI) * integral;
-        C::choose(above_surface::<T, _>(wo), self.albedo * value, C::splat(T::zero()))
+        (self.albedo * value).only_where(above_surface::<T, _>(wo))
     }
 }

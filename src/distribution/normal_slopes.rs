@@ -60,7 +60,7 @@ fn visible_slope<T: Real>(cos: T, sin: T, inverse_sin: T, u: T) -> T {
     let beyond = sin * largest.ierfc();
     let whole = cos + cos + beyond;
     let (part, rest) = (u * whole, rest * whole);
-    let sought = Sought { cos, sin, inverse_sin, part, short_of: rest - beyond };
+    let equation = Equation { cos, sin, inverse_sin, part, rest: rest - beyond };
     // C ends in a parabola, which is steepest if exp(−x²) is 1: x cannot be closer to the end.
     let to_end = (rest * inverse_sin * T::lit(SQRT_PI)).sqrt();
     let first = first_guess(cos, sin, part).min(largest - T::lit(1.2) * to_end);
@@ -68,32 +68,32 @@ fn visible_slope<T: Real>(cos: T, sin: T, inverse_sin: T, u: T) -> T {
         iterate::<2, _>(
             first,
             #[inline(always)]
-            |x| sought.closer(x),
+            |x| equation.step(x),
         )
     } else {
         iterate::<4, _>(
             first,
             #[inline(always)]
-            |x| sought.closer(x),
+            |x| equation.step(x),
         )
     }
 }
 
-/// The slope with K = `part`, which is also 2 cos − `short_of`.
-struct Sought<T> {
+/// The equation K(x) = `part` of a slope, in which K is also 2 cos − `rest`.
+struct Equation<T> {
     cos: T,
     sin: T,
     inverse_sin: T,
     part: T,
-    short_of: T,
+    rest: T,
 }
 
-impl<T: Real> Sought<T> {
+impl<T: Real> Equation<T> {
     /// One step of Householder's method of third order.
     ///
     /// K is taken times exp(x²), which leaves one exponential and nothing that underflows.
     #[inline(always)]
-    fn closer(&self, x: T) -> T {
+    fn step(&self, x: T) -> T {
         let (zero, half, one) = (T::zero(), T::lit(0.5), T::one());
         // The least `u` belongs to −9.23.
         let x = x.max(T::lit(-9.3));
@@ -101,7 +101,7 @@ impl<T: Real> Sought<T> {
         let inverse_facing = one / facing;
         let below = x.lt(zero);
         let tail = self.cos * x.abs().erfcx();
-        let missing = T::select(below, -self.part, self.short_of) * x.squared().exp();
+        let missing = T::select(below, -self.part, self.rest) * x.squared().exp();
         let at_zero = self.sin * T::lit(FRAC_1_SQRT_PI);
         let difference = missing + (T::select(below, tail, -tail) + at_zero);
         // Near the end the difference is all rounding. No step that way can be longer.

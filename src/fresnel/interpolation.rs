@@ -2,7 +2,7 @@ use super::dielectric::Dielectric;
 use super::term::{Fresnel, average_over_cosine, incident_cosine};
 use crate::error::{ParameterError, range};
 use crate::parameter::{Kind, Parameter, Preset, model};
-use crate::real::{Color, Lift, Real, lift, unsigned};
+use crate::real::{Color, Lift, Real, lift, positive_zero};
 
 /// Hall's interpolation: the colour at normal incidence turns white towards grazing as the exact
 /// curve of a reference material does.
@@ -202,7 +202,7 @@ impl<C, F> Cook<C, F> {
     {
         let reflectance = Hall::with_reference(f0, reference)?;
         range::LIGHT.check("light", light)?;
-        Ok(Self { reflectance, light: unsigned(light) })
+        Ok(Self { reflectance, light: positive_zero(light) })
     }
 }
 

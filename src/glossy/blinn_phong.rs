@@ -140,7 +140,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
             ring.up_to(ring.horizon()) * (sin_t * cos_t * pi * (none_above - whole_below))
         });
         let albedo = self.specular * (self.c * (whole + cut) * T::lit(2.0)).max(zero);
-        C::choose(above_surface::<T, _>(wo), albedo, C::splat(zero))
+        albedo.only_where(above_surface::<T, _>(wo))
     }
 }
 

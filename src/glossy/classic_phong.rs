@@ -88,6 +88,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
         let sin = (w.x() * w.x() + w.y() * w.y()).sqrt();
         let (within, _) = quarter_turn(self.exponent, w.z(), sin);
         let albedo = self.specular * (T::lit(PI) / (self.exponent + one) * (one + within));
-        C::choose(above_surface::<T, _>(wo), albedo, C::splat(T::zero()))
+        albedo.only_where(above_surface::<T, _>(wo))
     }
 }

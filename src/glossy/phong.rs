@@ -100,6 +100,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for Phong<C, T> {
         let beyond = power_of_cosine(sin_squared.sqrt(), cos * cos, self.exponent + T::lit(2.0));
         let value = cos * (one + within) + beyond / ((self.exponent + one) * whole);
         let albedo = self.specular * (value * T::lit(0.5));
-        C::choose(above_surface::<T, _>(wo), albedo, C::splat(T::zero()))
+        albedo.only_where(above_surface::<T, _>(wo))
     }
 }

@@ -196,6 +196,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for SchlickPower<C, T> {
             mean_weight(first + rest * t * t) * (rest * t * T::lit(2.0))
         });
         let albedo = self.specular * (whole + cut);
-        C::choose(above_surface::<T, _>(wo), albedo, C::splat(zero))
+        albedo.only_where(above_surface::<T, _>(wo))
     }
 }

@@ -11,14 +11,14 @@ use crate::distribution::{AnyMixture, Distribution, Smith};
 use crate::real::{Real, Vector};
 
 /// What the kinds of facets answer together.
-struct Answers<T> {
+struct Together<T> {
     /// D.
     density: Plane<T>,
     /// A(wi) and A(wo), if the shadowing depends on them.
     areas: [Plane<T>; 2],
 }
 
-impl<T: Real> Answers<T> {
+impl<T: Real> Together<T> {
     #[inline(never)]
     fn new<S: Areas<T>>(mixture: &AnyMixture<T>, pairs: PairBlock<'_, T>) -> Self {
         let zero = [T::zero(); BLOCK];
@@ -52,7 +52,7 @@ pub(super) fn mirrored<T: Real, S: Areas<T>>(
     pairs: PairBlock<'_, T>,
     mirrored: &mut [Plane<T>; 2],
 ) {
-    let answers = Answers::new::<S>(mixture, pairs);
+    let answers = Together::new::<S>(mixture, pairs);
     pairs.numbers(
         mirrored,
         #[inline(always)]
@@ -70,7 +70,7 @@ pub(super) fn pdf<T: Real, S: Areas<T>>(
     pairs: PairBlock<'_, T>,
     densities: &mut Plane<T>,
 ) {
-    let answers = Answers::new::<S>(mixture, pairs);
+    let answers = Together::new::<S>(mixture, pairs);
     pairs.numbers(
         array::from_mut(densities),
         #[inline(always)]
@@ -112,7 +112,7 @@ pub(super) fn mirror<T: Real, S: Areas<T>>(
             [wi.x(), wi.y(), wi.z(), wo.x(), wo.y(), wo.z()]
         },
     );
-    let answers = Answers::new::<S>(mixture, draws.of(pairs.each_ref()));
+    let answers = Together::new::<S>(mixture, draws.of(pairs.each_ref()));
     draws.changed(
         wi_pdf,
         weight,

@@ -192,7 +192,7 @@ macro_rules! model {
             Ok(Self { $($parameter,)+ $($constant),* })
         }
     };
-    (@kept $color:ident C) => { $crate::real::unsigned($color) };
+    (@kept $color:ident C) => { $crate::real::positive_zero($color) };
     (@kept $parameter:ident $type:ident) => { $parameter };
 }
 pub(crate) use model;

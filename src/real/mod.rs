@@ -20,4 +20,4 @@ pub(crate) use members::members;
 pub use spectrum::Spectrum;
 pub use traits::{Color, Mask, Real, Vector};
 pub use vector3::Vector3;
-pub(crate) use zero::unsigned;
+pub(crate) use zero::positive_zero;
