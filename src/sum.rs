@@ -9,18 +9,25 @@ use crate::sampling::uniform;
 
 /// A weighted sum of models: diffuse plus specular, mixtures of materials, layers.
 ///
+/// # Formula
 /// ```text
 /// f = Σ wₖ fₖ        pdf = Σ pₖ pdfₖ        pₖ = mean(wₖ)/Σ mean(wⱼ)
 /// ```
+///
+/// # Parameters
 ///
 /// | symbol | meaning | range |
 /// |---|---|---|
 /// | wₖ | weight of a term, per channel | 0 … 10¹⁰ |
 /// | fₖ | any model, also `Box<dyn Brdf<Color = …>>` or another sum | |
 ///
+/// # Energy
 /// Reciprocal if all terms are. Conserving if all terms are and the weights of each channel add up
-/// to at most 1; the directional albedo is Σ wₖ Eₖ. A sample is drawn from one term, chosen with
-/// probability pₖ by the first uniform number, which is then stretched to serve again.
+/// to at most 1; the directional albedo is Σ wₖ Eₖ.
+///
+/// # Sampling
+/// From one term, chosen with probability pₖ by the first uniform number, which is then stretched
+/// to serve again.
 ///
 /// ```
 /// use brdf::{Brdf, Lambert, Phong, WeightedSum};

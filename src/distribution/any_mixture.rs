@@ -12,6 +12,7 @@ use crate::sampling::uniform;
 /// A weighted mean of any number of distributions of any kinds: [`Mixture`](crate::Mixture) at run
 /// time.
 ///
+/// # Formula
 /// ```text
 /// D = Σ wᵢ Dᵢ,  Σ wᵢ = 1
 /// ```

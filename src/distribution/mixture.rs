@@ -5,9 +5,12 @@ use crate::sampling::uniform;
 
 /// A weighted mean of distributions: surfaces with roughness on several scales.
 ///
+/// # Formula
 /// ```text
 /// D = Σ wᵢ Dᵢ,  Λ = Σ wᵢ Λᵢ,  Σ wᵢ = 1
 /// ```
+///
+/// # Parameters
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
@@ -15,9 +18,12 @@ use crate::sampling::uniform;
 /// | Dᵢ | second of each pair | distribution | |
 ///
 /// Normalised, because its terms are. Cook and Torrance mix Beckmann distributions in this way.
+///
+/// # Sampling
 /// The facets of kind i that are visible from ω take up the part wᵢ (1 + Λᵢ)/(1 + Λ) of what is
 /// visible, and not wᵢ: visible normals are drawn with these probabilities, which is exact.
 ///
+/// # Sources
 /// R. L. Cook, K. E. Torrance, "A Reflectance Model for Computer Graphics", ACM TOG 1(1), 1982,
 /// [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293), section 4.
 ///

@@ -8,9 +8,12 @@ use crate::real::{Lift, Real, lift};
 
 /// The microfacet model: a surface of small mirrors.
 ///
+/// # Formula
 /// ```text
 /// f = F(V·H) D(H) G / (4 (N·L) (N·V))
 /// ```
+///
+/// # Parameters
 ///
 /// | symbol | part | meaning |
 /// |---|---|---|
@@ -18,6 +21,7 @@ use crate::real::{Lift, Real, lift};
 /// | F | `fresnel` | reflectance of a facet |
 /// | G | `shadowing` | fraction of facets that light and viewer both see: [`VCavity`] if nothing else is said, [`SmithCorrelated`](crate::SmithCorrelated), [`SmithSeparable`](crate::SmithSeparable) |
 ///
+/// # Energy
 /// Reciprocal, to the last bit. Conserving: with F = 1 the directional albedo is at most 1; what
 /// is missing is light that a real surface reflects more than once. Measured with F = 1 at 0°,
 /// 60°, 80°, 89.9°: V-cavity with Beckmann's distribution 1.000, 0.999, 0.942, 0.998 at roughness
@@ -25,8 +29,9 @@ use crate::real::{Lift, Real, lift};
 /// roughness 1. The default [`albedo`](Brdf::albedo) is within 6·10⁻⁴ of these integrals
 /// (roughness 0.05 … 1, F = 1, all three shadowings).
 ///
-/// Sampled by visible normals: the density of a sample is G₁(V) D/(4 N·V) and its weight
-/// F G/G₁(V), never above F.
+/// # Sampling
+/// By visible normals: the density of a sample is G₁(V) D/(4 N·V) and its weight F G/G₁(V), never
+/// above F.
 ///
 /// # The constants of the literature
 /// The form F D G/(π (N·L)(N·V)) with D = exp(−tan²θ_h/α²)/(4 α² cos⁴θ_h) is the same as this one with
@@ -40,6 +45,7 @@ use crate::real::{Lift, Real, lift};
 /// rounding of the directions (roughness below about 10⁻⁶ in `f32`) a sample keeps its weight but
 /// its density is that of the rounded direction.
 ///
+/// # Sources
 /// R. L. Cook, K. E. Torrance, "A reflectance model for computer graphics", ACM TOG 1(1), 1982,
 /// [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293);
 /// K. E. Torrance, E. M. Sparrow, JOSA 57, 1967,

@@ -41,6 +41,7 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
 
 /// The model with the constants that Cook and Torrance printed: four times too bright.
 ///
+/// # Formula
 /// ```text
 /// f = F/π · D G/((N·L)(N·V)),  D = exp(−tan²θ_h/α²)/(α² cos⁴θ_h)
 /// ```
@@ -49,9 +50,14 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
 /// [`CookTorrance`] is missing; α is the roughness of [`Beckmann`]. To compare with pictures and
 /// codes made with these constants.
 ///
+/// # Energy
 /// Reciprocal. Not conserving: with F = 1 the albedo is 4 at normal incidence (measured 4.000 at
-/// roughness 0.1) and nowhere above 4. A sample has four times the weight.
+/// roughness 0.1) and nowhere above 4.
 ///
+/// # Sampling
+/// As [`CookTorrance`]; a sample has four times the weight.
+///
+/// # Sources
 /// R. L. Cook, K. E. Torrance, "A reflectance model for computer graphics", ACM TOG 1(1), 1982,
 /// [doi:10.1145/357290.357293](https://doi.org/10.1145/357290.357293).
 ///
@@ -76,10 +82,13 @@ impl<F, T: Real> CookTorrance1982Printed<F, T> {
 
 /// Blinn's model of 1977, with distributions that are 1 at the normal.
 ///
+/// # Formula
 /// ```text
 /// s = D G F/(N·E)     the printed intensity: `specular`
 /// f = s/(N·L)         as a BRDF: `eval`
 /// ```
+///
+/// # Parameters
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
@@ -88,12 +97,16 @@ impl<F, T: Real> CookTorrance1982Printed<F, T> {
 ///
 /// G is [`VCavity`](crate::VCavity), E points to the eye. The constant of s is free: D₁, D₂, D₃ are
 /// [`Blinn`], [`Gaussian`] and [`Ggx`] divided by their value at the normal, so that f is
-/// [`CookTorrance`] with the same distribution times 4/D(N). The density of the samples is that of
-/// [`CookTorrance`].
+/// [`CookTorrance`] with the same distribution times 4/D(N).
 ///
+/// # Energy
 /// Reciprocal as f, not as s. Not conserving: the constant makes narrow lobes too dark, the albedo
 /// of D₂ at normal incidence is 0.180 for a half-width of 0.1, and wide ones too bright, 4.08 for 1.
 ///
+/// # Sampling
+/// With the density of [`CookTorrance`].
+///
+/// # Sources
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
 /// [doi:10.1145/563858.563893](https://doi.org/10.1145/563858.563893).
 ///

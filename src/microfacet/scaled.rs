@@ -4,6 +4,7 @@ use crate::real::{Color, Lift, Real, lift};
 
 /// A model times a constant: what the printed forms of 1977 and 1982 are.
 ///
+/// # Formula
 /// ```text
 /// f = c · f₀        pdf = pdf₀
 /// ```

@@ -8,6 +8,7 @@ use crate::real::{Real, lift};
 /// Smith's shadowing and masking of a random surface, correlated by height: a high facet is seen
 /// by both the light and the viewer.
 ///
+/// # Formula
 /// ```text
 /// G = 1/(1 + Λ(wi) + Λ(wo))
 /// G₁(w) = 1/(1 + Λ(w))
@@ -24,6 +25,7 @@ use crate::real::{Real, lift};
 /// visible facets fill the projected area, ∫ G₁ (w·h)₊ D dω = N·w. Never less than
 /// [`SmithSeparable`].
 ///
+/// # Sources
 /// B. G. Smith, "Geometrical shadowing of a random rough surface", IEEE Trans. Antennas and
 /// Propagation 15, 1967, [doi:10.1109/TAP.1967.1138991](https://doi.org/10.1109/TAP.1967.1138991).
 /// E. Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", JCGT 3(2),
@@ -44,6 +46,7 @@ pub struct SmithCorrelated;
 
 /// Smith's shadowing and masking with both directions independent.
 ///
+/// # Formula
 /// ```text
 /// G = G₁(wi) G₁(wo),  G₁(w) = 1/(1 + Λ(w))
 /// ```
@@ -51,6 +54,7 @@ pub struct SmithCorrelated;
 /// Darker than [`SmithCorrelated`], most where both directions graze: the albedo of GGX with
 /// roughness 1 is 0.613 instead of 0.989 at 89.9°. Symmetric in `wi` and `wo`, to the last bit.
 ///
+/// # Sources
 /// B. G. Smith, 1967, as for [`SmithCorrelated`]; B. Walter et al., "Microfacet models for
 /// refraction through rough surfaces", EGSR 2007, eq. 23.
 ///

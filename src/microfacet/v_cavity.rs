@@ -10,6 +10,7 @@ use crate::sampling::uniform;
 
 /// Shadowing and masking in long symmetric V-shaped grooves.
 ///
+/// # Formula
 /// ```text
 /// G₁(w, h) = min(1, 2 (N·h)(N·w)/(w·h))
 /// G(wi, wo, h) = min(G₁(wi, h), G₁(wo, h)) = min(1, γ N·wi, γ N·wo),  γ = 2 (N·h)/(wo·h)
@@ -29,7 +30,7 @@ use crate::sampling::uniform;
 /// which has no difference and no quotient of vanishing terms: with h the half vector it is at
 /// most 1/(2 (wo·h)²), also at grazing.
 ///
-/// # Visible normals
+/// # Sampling
 /// Heitz and d'Eon draw h from the distribution and keep it with probability
 /// (wo·h)₊/((wo·h)₊ + (wo·h′)₊), else take h′; that needs a third random number. Here two are
 /// enough. The first decides the tilt of the facet, as in [`Distribution::sample`]. The second is
@@ -38,6 +39,7 @@ use crate::sampling::uniform;
 /// of Laguerre's method solve it, to 5·10⁻¹³ of the probability in `f64` and 4·10⁻⁷ in `f32`. The
 /// azimuth grows with the second number.
 ///
+/// # Sources
 /// K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces",
 /// JOSA 57, 1967, [doi:10.1364/JOSA.57.001105](https://doi.org/10.1364/JOSA.57.001105).
 /// J. F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977,
