@@ -6,7 +6,7 @@ use crate::direction::{above_or_normal, above_surface, both_above};
 use crate::frame::Frame;
 use crate::parameter::model;
 use crate::quadrature::integrate;
-use crate::real::{Color, Mask, Real, Vector};
+use crate::real::{Color, Real, Vector};
 use crate::sampling::uniform;
 
 model! {
@@ -73,11 +73,9 @@ impl<C, T: Real> LommelSeeliger<C, T> {
     /// c = N·V cos g, b = sinθₒ sin g. It lies above the surface up to g = π/2 − θₒ, is cut up to
     /// π/2 + θₒ, and lies below it beyond.
     fn relative_albedo(&self, wo: T::Vec3) -> T {
-        let (zero, one) = (T::zero(), T::one());
-        let viewer: T::Vec3 = Vector::normalize_or_normal(above_or_normal::<T, _>(wo));
+        let viewer = above_or_normal::<T, T::Vec3>(wo);
         let mu = viewer.z();
-        let sin_squared = viewer.x().squared() + viewer.y().squared();
-        let sin = sin_squared.sqrt();
+        let sin = (viewer.x().squared() + viewer.y().squared()).sqrt();
         let circle = |u: T| {
             let (versine, antiversine) = phase::sample(self.xi, u);
             mean_over_circle(mu, sin, versine, antiversine)
@@ -86,49 +84,38 @@ impl<C, T: Real> LommelSeeliger<C, T> {
         let second = phase::distribution(self.xi, sin);
         let width = second - first;
         // At both of its ends the arc grows like a root.
-        let cut = integrate(zero, one, |t: T| {
+        let cut = integrate(T::zero(), T::one(), |t: T| {
             let place = first + width * t * t * (T::lit(3.0) - T::lit(2.0) * t);
-            circle(place) * (T::lit(6.0) * t * (one - t) * width)
+            circle(place) * (T::lit(6.0) * t * (T::one() - t) * width)
         });
-        cut + integrate(second, one, circle)
+        cut + integrate(second, T::one(), circle)
     }
 }
 
 /// The mean of N·L/(N·L + N·V), 0 below the surface, over a circle around the viewer.
 ///
 /// ```text
-/// (1/π) ∫₀^Φ 1 − μ/(a + b cosφ) dφ = Φ/π − μ J/π    a = c + μ    cosΦ = −c/b
-/// J = 2/(a + b) τ F(r τ²)    r = (a − b)/(a + b)    τ = tan(Φ/2)    F(s) = arctan(√s)/√s
+/// (1/π) ∫₀^Φ 1 − μ/(a + b cosφ) dφ = (Φ − μ J)/π    a = c + μ    cosΦ = −c/b
+/// J = 2/√((a + b)(a − b)) arctan(B/A)               A² = (a + b)(b − c)
+/// J = 2/√((a + b)(b − a)) artanh(B/A)  for a < b    B² = |a − b| (b + c)    |A² ± B²| = 2bμ
 /// ```
+///
+/// Where a − b vanishes, a difference that is too small to matter takes its place.
 #[inline(always)]
 fn mean_over_circle<T: Real>(mu: T, sin: T, versine: T, antiversine: T) -> T {
-    let (zero, one, two) = (T::zero(), T::one(), T::lit(2.0));
     let tiny = T::lit(1e-30);
-    let (b, c) = (sin * (versine * antiversine).max(zero).sqrt(), mu * (one - versine));
+    let (b, c) = (sin * (versine * antiversine).sqrt(), mu * (T::one() - versine));
     let a = mu * antiversine;
-    // Of the circle's highest and lowest points, and of τ² = above/below.
-    let (above, below) = ((b + c).max(zero), (b - c).max(zero));
-    let visible = above.gt(zero);
-    let half_angle = above.max(tiny).sqrt().atan2(below.max(tiny).sqrt());
-    let (sum, difference) = ((a + b).max(tiny), a - b);
-    // r τ² = part/whole, whose sign decides between arctan and artanh.
-    let (part, whole) = (difference * above, sum * below);
-    let sums = sum * difference.abs();
-    let roots = (part.abs().max(tiny).sqrt(), whole.max(tiny).sqrt());
-    let arc_tangent = roots.0.atan2(roots.1);
-    let ratio = (roots.0 / roots.1).min(T::lit(1.0 - 1e-7));
-    let arc_artanh = T::lit(0.5) * (two * ratio / (one - ratio)).ln_1p();
-    let arc = T::select(difference.gt(zero), arc_tangent, arc_artanh);
-    let exact = two * arc / sums.max(tiny).sqrt();
-    // Next to r = 0 both are a series.
-    let small = part.abs().lt(whole * T::lit(1e-4));
-    let s = part / T::select(small, whole, one).max(tiny);
-    let s = s.only_where(small);
-    let series = one - s * (T::lit(1.0 / 3.0) - s * (T::lit(0.2) - s * T::lit(1.0 / 7.0)));
-    let tau = (above / below.max(tiny)).sqrt();
-    let j = T::select(small, two * tau.only_where(small) * series / sum, exact);
-    let mean = two * half_angle * T::lit(FRAC_1_PI) - mu * j * T::lit(FRAC_1_PI);
-    mean.clamp(zero, one).only_where(visible)
+    // Above the surface reaches the arc with tan²(Φ/2) = above/below.
+    let (above, below) = ((b + c).max(tiny), (b - c).max(tiny));
+    let arc = T::lit(2.0) * above.sqrt().atan2(below.sqrt());
+    let sum = a + b;
+    let distance = (a - b).abs().max(sum * T::lit(1e-8));
+    let (root_a, root_b) = ((sum * below).sqrt(), (distance * above).sqrt());
+    let artanh = root_b * (root_a + root_b) / (b * mu).max(tiny);
+    let angle = T::select(a.gt(b), root_b.atan2(root_a), T::lit(0.5) * artanh.ln_1p());
+    let j = T::lit(2.0) * angle / (sum * distance).sqrt();
+    ((arc - mu * j) * T::lit(FRAC_1_PI)).max(T::zero())
 }
 
 impl<T: Real, C: Color<T>> Brdf<T> for LommelSeeliger<C, T> {
@@ -151,19 +138,17 @@ impl<T: Real, C: Color<T>> Brdf<T> for LommelSeeliger<C, T> {
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let [u, turn] = uniform(u);
-        let viewer: T::Vec3 = Vector::normalize_or_normal(above_or_normal::<T, _>(wo));
         let (versine, antiversine) = phase::sample(self.xi, u);
-        let sin = (versine * antiversine).max(T::zero()).sqrt();
+        let sin = (versine * antiversine).sqrt();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
-        let cos = T::one() - versine;
-        let around = Vector::new(sin * cos_phi, sin * sin_phi, cos);
-        let drawn: T::Vec3 = Frame::from_normal(viewer).to_world(around);
+        let around = Vector::new(sin * cos_phi, sin * sin_phi, T::one() - versine);
+        let drawn: T::Vec3 = Frame::from_normal(above_or_normal::<T, _>(wo)).to_world(around);
         let wi: T::Vec3 = Vector::new(drawn.x(), drawn.y(), drawn.z().abs());
         let above = both_above::<T>(wi, wo);
         let (scattered, pdf) = self.scattered(wi, wo);
         let cosines = T::select(above, wi.z() + wo.z(), T::one());
-        let weight = scattered / pdf.max(T::lit(1e-30)) * (wi.z() / cosines);
-        Sample { wi, weight: self.w * weight, pdf }.only_where(above.and(pdf.gt(T::zero())))
+        let weight = self.w * (scattered / pdf * (wi.z() / cosines));
+        Sample { wi, weight, pdf }.only_where(above)
     }
 
     fn albedo(&self, wo: T::Vec3) -> C {
