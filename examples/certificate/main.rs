@@ -31,8 +31,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pairs = row::Pairs::new();
     let mut rows = Vec::new();
     for (index, (single, double)) in single.iter().zip(double).enumerate() {
-        bar.set_message(double.name);
-        rows.push(Row::measure(index, single, double, &pairs));
+        if !check || index % EVERY == 0 {
+            bar.set_message(double.name);
+            rows.push(Row::measure(index, single, double, &pairs));
+        }
         bar.inc(1);
     }
     let least = page::least(&rows);
@@ -41,6 +43,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         bar.finish_and_clear();
         eprintln!("{}", faults.join("\n"));
         return Err(format!("samples of {} models are not what they say", faults.len()).into());
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/certificate.md");
+    if check {
+        bar.finish_and_clear();
+        return compare(&fs::read_to_string(&path)?, &rows);
     }
     bar.set_message("seeded bugs");
     let suite = Suite::recorded();
@@ -52,18 +59,23 @@ fn main() -> Result<(), Box<dyn Error>> {
         row.found = reached.iter().filter(|bug| bug.killed()).count();
     }
     bar.finish_and_clear();
-
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/certificate.md");
-    let text = page::certificate(&rows, &bugs);
-    if !check {
-        fs::write(&path, text)?;
-    } else if fs::read_to_string(&path)? != text {
-        let measured = env::temp_dir().join("certificate.md");
-        fs::write(&measured, text)?;
-        let (path, measured) = (path.display(), measured.display());
-        return Err(format!("{path} is not what was measured, which is in {measured}").into());
-    }
+    fs::write(&path, page::certificate(&rows, &bugs))?;
     Ok(())
+}
+
+/// Of so many lines one is measured anew to check the page.
+const EVERY: usize = 8;
+
+/// Whether the page has a line for every model, and says what was measured of some of them.
+fn compare(page: &str, rows: &[Row]) -> Result<(), Box<dyn Error>> {
+    let begins = |line: &str| page.lines().any(|known| known.starts_with(line));
+    let missing = models::double().iter().map(|entry| format!("| {} | ", entry.name));
+    let measured = rows.iter().flat_map(|row| [page::measured(row), page::costs(row)]);
+    let wrong: Vec<String> = missing.chain(measured).filter(|line| !begins(line)).collect();
+    if wrong.is_empty() {
+        return Ok(());
+    }
+    Err(format!("docs/certificate.md does not say:\n{}", wrong.join("\n")).into())
 }
 
 /// Whether `--check` was given.

@@ -11,8 +11,8 @@ use brdf_checks::mutation::mutant::Outcome;
 const HEAD: &str = "\
 # What was measured of every model
 
-Written by `cargo run --release --example certificate`; `-- --check` compares it with a new
-measurement. The first table has one line for each model, with the worst of its sets of parameters. A
+Written by `cargo run --release --example certificate`; `-- --check` measures every eighth line anew and
+compares. The first table has one line for each model, with the worst of its sets of parameters. A
 model whose albedo exceeds 1 reflects more than it receives; a `WeightedSum` does not if its terms do not
 and the weights of each channel add up to at most 1. Where a largest albedo has two figures, the
 second is that of the sets that exceed 1, and names the worst of them.
@@ -95,29 +95,11 @@ pub(crate) fn certificate(rows: &[Row], bugs: &[Outcome]) -> String {
         legend(rows)
     );
     for row in rows {
-        let _ = writeln!(
-            page,
-            "| {} | {:.5} | {:.2}° | {} | {:.1e} | {:.1e} | {:.2} | {:.0e} | {:.4} | {:.0} ulp | {} of {} |",
-            row.name,
-            row.energy.maximum,
-            row.energy.degrees,
-            reciprocal(row),
-            row.precision.median,
-            row.precision.maximum,
-            row.precision.ratio,
-            row.mass_error(),
-            row.p_value(),
-            row.weight_ulps(),
-            row.found,
-            row.bugs,
-        );
+        let _ = writeln!(page, "{} {} of {} |", measured(row), row.found, row.bugs);
     }
     page += COSTS;
     for row in rows {
-        let costs = row
-            .costs
-            .map(|cost| format!("{} | {} | {} |", cost.divisions, cost.roots, cost.functions));
-        let _ = writeln!(page, "| {} | {}", row.name, costs.join(" "));
+        let _ = writeln!(page, "{}", costs(row));
     }
     let found = bugs.iter().filter(|bug| bug.killed()).count();
     let _ = write!(page, "\n## {found} of {} seeded bugs are found\n\n{BUGS}\n\n", bugs.len());
@@ -129,6 +111,30 @@ pub(crate) fn certificate(rows: &[Row], bugs: &[Outcome]) -> String {
         let _ = writeln!(page, "| {family} | {meaning} | {} |", checks.join("; "));
     }
     page
+}
+
+/// The line of a model without the bugs.
+pub(crate) fn measured(row: &Row) -> String {
+    format!(
+        "| {} | {:.5} | {:.2}° | {} | {:.1e} | {:.1e} | {:.2} | {:.0e} | {:.4} | {:.0} ulp |",
+        row.name,
+        row.energy.maximum,
+        row.energy.degrees,
+        reciprocal(row),
+        row.precision.median,
+        row.precision.maximum,
+        row.precision.ratio,
+        row.mass_error(),
+        row.p_value(),
+        row.weight_ulps(),
+    )
+}
+
+/// The line of what a call costs.
+pub(crate) fn costs(row: &Row) -> String {
+    let costs =
+        row.costs.map(|cost| format!("{} | {} | {} |", cost.divisions, cost.roots, cost.functions));
+    format!("| {} | {}", row.name, costs.join(" "))
 }
 
 /// Zero, or how far from it.

@@ -63,8 +63,7 @@ impl<C, T: Real> Minnaert<C, T> {
     /// cosᵏ⁻¹θ of a direction above the surface; 1 elsewhere.
     #[inline(always)]
     fn darkening(&self, above: T::Mask, cos: T) -> T {
-        let power = T::select(above, cos, T::one()).powf(self.k - T::one());
-        power.min(T::max_finite())
+        T::select(above, cos, T::one()).powf(self.k - T::one())
     }
 }
 
