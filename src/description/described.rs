@@ -110,7 +110,9 @@ description! {
 }
 
 description! {
-    /// A Fresnel term. The keys are the parameters of the type with the same name.
+    /// A Fresnel term. The keys are the parameters of the type with the same name. A metal is one of
+    /// the measured sets, by its symbol or name; `Ta` and `Zn` are accepted although their sets are
+    /// not for colour.
     ///
     /// ```
     /// use brdf::Fresnel;

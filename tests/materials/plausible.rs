@@ -80,7 +80,7 @@ fn remarks_are_in_the_documentation() {
     }
     assert_eq!(cautions, ["Ta", "Zn"]);
     // Whoever picks a metal by its name in a file reads these pages.
-    for file in ["src/description/mod.rs", "src/description/fresnel.rs"] {
+    for file in ["src/description/mod.rs", "src/description/described.rs"] {
         let text = std::fs::read_to_string(path(file)).expect("in the repository");
         assert!(text.contains("`Ta` and `Zn` are accepted although"), "{file}");
     }
