@@ -1,11 +1,14 @@
-use super::any_mixture::AnyMixture;
+use alloc::vec::Vec;
+
 use super::beckmann::Beckmann;
 use super::blinn::Blinn;
 use super::gaussian::Gaussian;
 use super::ggx::Ggx;
+use super::mixture::weights;
 use super::traits::Distribution;
 use crate::block::{DirectionBlock, Plane, UniformBlock};
-use crate::real::{Real, members};
+use crate::error::ParameterError;
+use crate::real::{Lift, Real, members};
 
 members! {
     ($) each_distribution
@@ -102,5 +105,74 @@ impl<T: Real> Distribution<T> for AnyDistribution<T> {
 
     fn sample_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
         each_distribution!(self, distribution => distribution.sample_block(uniforms, h));
+    }
+}
+
+/// A weighted mean of any number of distributions of any kinds: [`Mixture`](crate::Mixture) at run
+/// time.
+///
+/// # Formula
+/// ```text
+/// D = Σ wᵢ Dᵢ,  Σ wᵢ = 1
+/// ```
+///
+/// A mixture in a mixture is taken apart into its terms. Smith's shadowing is known if it is for
+/// all terms.
+///
+/// ```
+/// use brdf::{AnyMixture, Beckmann, Distribution, Gaussian};
+/// use glam::DVec3;
+///
+/// let rough = AnyMixture::new([
+///     (0.4, Beckmann::new(0.2_f64)?.into()),
+///     (0.6, Gaussian::new(0.5)?.into()),
+/// ])?;
+/// assert!((rough.density(DVec3::Z) - 4.0830472729).abs() < 1e-10);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct AnyMixture<T: Real = f32> {
+    pub(super) terms: Vec<(T, AnyDistribution<T>)>,
+    /// Whether Smith's shadowing is known for all terms.
+    pub(super) has_smith: bool,
+}
+
+impl<T: Real> AnyMixture<T> {
+    /// A mixture of distributions with their weights, which are divided by their sum.
+    ///
+    /// # Errors
+    /// If a weight is not in 0 … 10¹⁰ or the sum of the weights is not in 10⁻³⁰ … 10³⁰.
+    pub fn new(
+        terms: impl IntoIterator<Item = (T, AnyDistribution<T>)>,
+    ) -> Result<Self, ParameterError> {
+        let given: Vec<_> = terms.into_iter().collect();
+        let total = weights(given.iter().map(|(weight, _)| *weight))?;
+        let mut terms = Vec::new();
+        for (weight, distribution) in given {
+            let weight = weight / total;
+            match distribution {
+                AnyDistribution::Mixture(Self { terms: inner, .. }) => {
+                    terms.extend(inner.into_iter().map(|(part, each)| (weight * part, each)));
+                }
+                distribution => terms.push((weight, distribution)),
+            }
+        }
+        let has_smith = terms.iter().all(|(_, distribution)| distribution.has_smith());
+        Ok(Self { terms, has_smith })
+    }
+
+    /// The weights, whose sum is 1, and the distributions.
+    #[must_use]
+    pub fn terms(&self) -> &[(T, AnyDistribution<T>)] {
+        &self.terms
+    }
+}
+
+impl<T: Real> Lift<T> for AnyMixture<T> {
+    type Over<U: Real> = AnyMixture<U>;
+
+    fn lift<U: Real>(&self, lift: impl Fn(T) -> U + Copy) -> AnyMixture<U> {
+        let terms = self.terms.iter().map(|(weight, each)| (lift(*weight), each.lift(lift)));
+        AnyMixture { terms: terms.collect(), has_smith: self.has_smith }
     }
 }

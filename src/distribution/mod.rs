@@ -13,9 +13,8 @@ mod normal_slopes;
 mod roughness;
 mod traits;
 
-pub use any::AnyDistribution;
+pub use any::{AnyDistribution, AnyMixture};
 pub(crate) use any::{each_distribution, each_single_smith, each_smith};
-pub use any_mixture::AnyMixture;
 pub use beckmann::Beckmann;
 pub use blinn::Blinn;
 pub use blinn_1977::Blinn1977;
