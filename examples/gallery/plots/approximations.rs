@@ -52,7 +52,7 @@ fn error_figure(name: &'static str, what: &str, y: Axis, mut curves: Vec<Curve>)
         marks,
     };
     Figure {
-        name,
+        name: name.into(),
         section: SECTION,
         title: format!("Error of Schlick's approximation for {what}"),
         caption: "Reflectance after Schlick, from the exact value at normal incidence, minus the exact \
@@ -115,7 +115,7 @@ pub(super) fn copper() -> Result<Figure, Box<dyn Error>> {
         marks: vec![],
     };
     Ok(Figure {
-        name: "hall-copper",
+        name: "hall-copper".into(),
         section: SECTION,
         title: "Interpolating the colour of copper".into(),
         caption: "Hall's interpolation (and Cook's, divided by the colour of the light) turns the \
@@ -163,7 +163,7 @@ pub(super) fn powers() -> Result<Figure, Box<dyn Error>> {
         })
     };
     Ok(Figure {
-        name: "powers",
+        name: "powers".into(),
         section: SECTION,
         title: "Two stand-ins for a power of the cosine".into(),
         caption: "Left: in the plane of incidence the angle between N and H is half of β, the angle \

@@ -59,7 +59,7 @@ pub(super) fn full_moon() -> Result<Figure, Box<dyn Error>> {
         marks: vec![],
     };
     Ok(Figure {
-        name: "full-moon",
+        name: "full-moon".into(),
         section: "Diffuse",
         title: "The disc of a full moon: Oren–Nayar against Lambert".into(),
         caption:

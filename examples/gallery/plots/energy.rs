@@ -8,6 +8,8 @@ use brdf::{
     SmithCorrelated, SmithSeparable, from_spherical,
 };
 
+use brdf_checks::models::{self, Entry};
+
 use super::cartesian::{Axis, Mark, Plot};
 use super::figure::{Curve, Figure, Panel};
 use super::style::PENS;
@@ -30,6 +32,57 @@ fn panel(heading: &str, y: Axis, models: &[(&str, Model)]) -> Panel {
         x: Axis::degrees("angle of the viewer / °"),
         y,
         curves: models.iter().zip(PENS).map(curve).collect(),
+        marks: vec![Mark::Horizontal { y: 1.0 }],
+    })
+}
+
+/// All lines of the registry of the tests, a figure for each model and as many lines as there are
+/// pens.
+pub(super) fn registry() -> Vec<Figure> {
+    let rows = models::rows().iter().zip(models::double());
+    let mut kinds: Vec<(String, Vec<&'static Entry<f64>>)> = Vec::new();
+    for (row, entry) in rows {
+        let kind = row.type_name();
+        match kinds.iter_mut().find(|(known, _)| *known == kind) {
+            Some((_, entries)) => entries.push(entry),
+            None => kinds.push((kind, vec![entry])),
+        }
+    }
+    let figures = |(kind, entries): &(String, Vec<&'static Entry<f64>>)| {
+        let part = |(part, entries): (usize, &[&'static Entry<f64>])| Figure {
+            name: format!("albedo-{}-{}", kind.to_lowercase(), part + 1),
+            section: "Energy of every model",
+            title: format!("Directional albedo of {kind}, sets of parameters of the tests"),
+            caption: "The brightest channel, with the parameters that the certificate measures. \
+                Above the line a model reflects more than it receives."
+                .into(),
+            height: 420.0,
+            columns: 2,
+            panels: vec![known(entries)],
+        };
+        entries.chunks(PENS.len()).enumerate().map(part).collect::<Vec<_>>()
+    };
+    kinds.iter().flat_map(figures).collect()
+}
+
+fn known(entries: &[&'static Entry<f64>]) -> Panel {
+    let curve = |(entry, pen): (&&'static Entry<f64>, _)| {
+        let albedo = |step: u8| {
+            let degrees = (2.0 * f64::from(step)).min(89.0);
+            let wo = from_spherical(degrees.to_radians(), 0.0);
+            (degrees, entry.model.albedo(wo).max_element())
+        };
+        Curve { label: entry.name.into(), pen, points: (0..=45).map(albedo).collect() }
+    };
+    let curves: Vec<Curve> = entries.iter().zip(PENS).map(curve).collect();
+    let highest = curves.iter().map(|curve| curve.highest().1).fold(1.0, f64::max);
+    let step = if highest > 4.0 { 1.0 } else { 0.2 };
+    let top = (1.1 * highest / step).ceil() * step;
+    Panel::Plot(Plot {
+        heading: String::new(),
+        x: Axis::degrees("angle of the viewer / °"),
+        y: Axis::new("directional albedo", 0.0, top, step),
+        curves,
         marks: vec![Mark::Horizontal { y: 1.0 }],
     })
 }
@@ -58,7 +111,7 @@ pub(super) fn conserving() -> Result<Figure, Box<dyn Error>> {
     ];
     let albedo = || Axis::new("directional albedo", 0.0, 1.2, 0.2);
     Ok(Figure {
-        name: "albedo",
+        name: "albedo".into(),
         section: SECTION,
         title: "Directional albedo of conserving models, colour 1".into(),
         caption:
@@ -99,7 +152,7 @@ pub(super) fn not_conserving() -> Result<Figure, Box<dyn Error>> {
         ("σ = 0.3, interreflection", Box::new(OrenNayar::with_interreflection(1.0, 0.3)?)),
     ];
     Ok(Figure {
-        name: "albedo-not-conserving",
+        name: "albedo-not-conserving".into(),
         section: SECTION,
         title: "Directional albedo of models that exceed 1".into(),
         caption: "Left: forms without the constant that normalises them; Cook and Torrance's printed \

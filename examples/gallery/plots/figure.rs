@@ -84,7 +84,7 @@ impl Panel {
 /// A picture of panels side by side.
 pub(super) struct Figure {
     /// Name of the file without its ending.
-    pub(super) name: &'static str,
+    pub(super) name: String,
     pub(super) section: &'static str,
     pub(super) title: String,
     pub(super) caption: String,

@@ -82,7 +82,7 @@ pub(super) fn glass() -> Result<Figure, Box<dyn Error>> {
         ],
     };
     Ok(Figure {
-        name: "fresnel-glass",
+        name: "fresnel-glass".into(),
         section: SECTION,
         title: format!("Fresnel reflectance of glass, n = {n}"),
         caption: format!(
@@ -122,7 +122,7 @@ pub(super) fn metals() -> Result<Figure, Box<dyn Error>> {
         }))
     };
     Ok(Figure {
-        name: "fresnel-metals",
+        name: "fresnel-metals".into(),
         section: SECTION,
         title: "Unpolarised reflectance of metals at three wavelengths".into(),
         caption: "Fresnel's equations with measured indices (P. B. Johnson, R. W. Christy, 1972), given \
@@ -159,7 +159,7 @@ pub(super) fn copper_polarized() -> Result<Figure, Box<dyn Error>> {
         }));
     }
     Ok(Figure {
-        name: "fresnel-copper-polarised",
+        name: "fresnel-copper-polarised".into(),
         section: SECTION,
         title: "Polarised reflectance of copper".into(),
         caption: "A metal has no angle at which p-polarised light vanishes, but a least reflectance at \

@@ -90,7 +90,7 @@ pub(super) fn diffuse() -> Result<Figure, Box<dyn Error>> {
         panels.push(panel(&format!("light at {light}°"), &models, Radius::Common));
     }
     Ok(Figure {
-        name: "lobes-diffuse",
+        name: "lobes-diffuse".into(),
         section: SECTION,
         title: "Rough diffuse surfaces send light back to its source".into(),
         caption: "f for albedo 1. Lambert's is the half circle; roughness takes from the far side \
@@ -118,7 +118,7 @@ pub(super) fn phong() -> Result<Figure, Box<dyn Error>> {
         panels.push(panel(&heading, &models, Radius::Own));
     }
     Ok(Figure {
-        name: "lobes-phong",
+        name: "lobes-phong".into(),
         section: SECTION,
         title: "Phong against Blinn–Phong in the plane of incidence".into(),
         caption: "Light at 30°, 60° and 80°, each lobe over its largest value. With the same exponent \
@@ -151,7 +151,7 @@ pub(super) fn microfacet() -> Result<Figure, Box<dyn Error>> {
         panels.push(panel(&heading, &three_distributions(light)?, Radius::Common));
     }
     Ok(Figure {
-        name: "lobes-microfacet",
+        name: "lobes-microfacet".into(),
         section: SECTION,
         title: "Cook–Torrance lobes of three distributions".into(),
         caption:
@@ -168,7 +168,7 @@ pub(super) fn microfacet() -> Result<Figure, Box<dyn Error>> {
 pub(super) fn microfacet_decades() -> Result<Figure, Box<dyn Error>> {
     let light = 30.0;
     Ok(Figure {
-        name: "lobes-microfacet-logarithmic",
+        name: "lobes-microfacet-logarithmic".into(),
         section: SECTION,
         title: "Tails of the Cook–Torrance lobes, logarithmic radius".into(),
         caption:
@@ -191,7 +191,7 @@ pub(super) fn off_specular() -> Result<Figure, Box<dyn Error>> {
         models.push((format!("light at {light}°"), model, light, pen));
     }
     Ok(Figure {
-        name: "lobes-off-specular",
+        name: "lobes-off-specular".into(),
         section: SECTION,
         title: "Off-specular peaks of a rough surface".into(),
         caption: format!(

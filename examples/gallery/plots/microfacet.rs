@@ -54,7 +54,7 @@ pub(super) fn distributions() -> Result<Figure, Box<dyn Error>> {
         ),
     ];
     Ok(Figure {
-        name: "distributions",
+        name: "distributions".into(),
         section: SECTION,
         title: "Four distributions of facet normals".into(),
         caption: "All are normalised to ∫ D cosθ_h dω = 1. Beckmann, Blinn and the Gaussian differ \
@@ -73,7 +73,7 @@ pub(super) fn roughness() -> Result<Figure, Box<dyn Error>> {
         list.push((format!("α = {m}"), Box::new(Beckmann::new(m)?)));
     }
     Ok(Figure {
-        name: "roughness",
+        name: "roughness".into(),
         section: SECTION,
         title: "Beckmann's distribution from smooth to rough".into(),
         caption: "The peak is 1/(π α²) at the normal; above α = 1/√2 the maximum moves off the \
@@ -93,7 +93,7 @@ pub(super) fn mixture() -> Result<Figure, Box<dyn Error>> {
         ("D(0.6)".into(), Box::new(coarse)),
     ];
     Ok(Figure {
-        name: "mixture",
+        name: "mixture".into(),
         section: SECTION,
         title: "A surface with two scales of roughness".into(),
         caption: "A weighted sum of Beckmann's distributions: a narrow peak over broad flanks."

@@ -47,9 +47,10 @@ const FIGURES: [Draw; 20] = [
 
 /// Writes all plots into `out`; calls `progress` with the name of each that is done.
 pub fn all(out: &Path, progress: &dyn Fn(&str)) -> Result<Vec<Picture>, Box<dyn Error>> {
-    let mut pictures = Vec::with_capacity(FIGURES.len());
-    for draw in FIGURES {
-        let picture = draw()?.write(out)?;
+    let mut pictures = Vec::new();
+    let figures = FIGURES.into_iter().map(|draw| draw());
+    for figure in figures.chain(energy::registry().into_iter().map(Ok)) {
+        let picture = figure?.write(out)?;
         progress(&picture.file);
         pictures.push(picture);
     }

@@ -56,7 +56,7 @@ pub(super) fn fixed_light() -> Result<Figure, Box<dyn Error>> {
     }
     let viewer = "angle of the viewer θₒ / °";
     Ok(Figure {
-        name: "shadowing",
+        name: "shadowing".into(),
         section: SECTION,
         title: format!("Shadowing and masking, light at {LIGHT}°, roughness 0.7"),
         caption: "The fraction of facets that light and viewer both see, in the plane of incidence; \
@@ -100,7 +100,7 @@ pub(super) fn mirror() -> Result<Figure, Box<dyn Error>> {
     }
     let viewer = "θₒ = θᵢ / °";
     Ok(Figure {
-        name: "shadowing-mirror",
+        name: "shadowing-mirror".into(),
         section: SECTION,
         title: "Shadowing and masking in the mirror configuration".into(),
         caption: "Light and viewer at equal angles on opposite sides, h along the normal. No groove hides \
