@@ -1,6 +1,7 @@
 //! Many directions at once.
 //!
-//! [`Brdf::eval_batch`](crate::Brdf::eval_batch), [`pdf_batch`](crate::Brdf::pdf_batch) and
+//! [`Brdf::eval_batch`](crate::Brdf::eval_batch), [`pdf_batch`](crate::Brdf::pdf_batch),
+//! [`eval_pdf_batch`](crate::Brdf::eval_pdf_batch) and
 //! [`sample_batch`](crate::Brdf::sample_batch) run a model over slices, at the speed of SIMD code:
 //! every model has them, boxed and described ones too, and those of other crates. They write into the
 //! caller's memory and allocate none. Any length will do, but a model is asked for 128 elements at a
@@ -27,7 +28,7 @@
 //! # Layouts
 //! Directions are vectors one after the other, or three slices of components, which is faster; one
 //! direction may stand for all. Colours are written one after the other, or into a slice for each
-//! of three channels. [`Directions`], [`Uniforms`], [`DirectionBuffer`] and [`ColorBuffer`] are made
+//! channel. [`Directions`], [`Uniforms`], [`DirectionBuffer`] and [`ColorBuffer`] are made
 //! with `into()`.
 //!
 //! # Parameters that vary

@@ -81,6 +81,23 @@ pub fn pdf<T: Real, M: Brdf<T> + ?Sized>(
     })
 }
 
+/// [`Brdf::eval_pdf_batch`] on all cores.
+///
+/// # Errors
+/// If slices differ in length. Nothing is written then.
+pub fn eval_pdf<T: Real, M: Brdf<T> + ?Sized>(
+    model: &M,
+    wi: Directions<'_, T>,
+    wo: Directions<'_, T>,
+    values: ColorBuffer<'_, T, M::Color>,
+    pdf: &mut [T],
+) -> Result<(), BatchError> {
+    let answers = (values, Numbers(pdf, "pdf"));
+    in_parts(Pairs { wi, wo }, answers, &|Pairs { wi, wo }, (values, Numbers(pdf, _))| {
+        model.eval_pdf_batch(wi, wo, values, pdf)
+    })
+}
+
 /// [`Brdf::sample_batch`] on all cores.
 ///
 /// # Errors

@@ -4,7 +4,7 @@ use super::beckmann::Beckmann;
 use super::blinn::Blinn;
 use super::gaussian::Gaussian;
 use super::ggx::Ggx;
-use super::mixture::weights;
+use super::mixture::{Mixture, weights};
 use super::traits::Distribution;
 use crate::block::{DirectionBlock, Plane, UniformBlock};
 use crate::error::ParameterError;
@@ -147,9 +147,13 @@ impl<T: Real> AnyMixture<T> {
     ) -> Result<Self, ParameterError> {
         let given: Vec<_> = terms.into_iter().collect();
         let total = weights(given.iter().map(|(weight, _)| *weight))?;
+        Ok(Self::of(given.into_iter().map(|(weight, each)| (weight / total, each))))
+    }
+
+    /// Of weights whose sum is 1.
+    fn of(given: impl Iterator<Item = (T, AnyDistribution<T>)>) -> Self {
         let mut terms = Vec::new();
         for (weight, distribution) in given {
-            let weight = weight / total;
             match distribution {
                 AnyDistribution::Mixture(Self { terms: inner, .. }) => {
                     terms.extend(inner.into_iter().map(|(part, each)| (weight * part, each)));
@@ -158,7 +162,7 @@ impl<T: Real> AnyMixture<T> {
             }
         }
         let has_smith = terms.iter().all(|(_, distribution)| distribution.has_smith());
-        Ok(Self { terms, has_smith })
+        Self { terms, has_smith }
     }
 
     /// The weights, whose sum is 1, and the distributions.
@@ -174,5 +178,13 @@ impl<T: Real> Lift<T> for AnyMixture<T> {
     fn lift<U: Real>(&self, lift: impl Fn(T) -> U + Copy) -> AnyMixture<U> {
         let terms = self.terms.iter().map(|(weight, each)| (lift(*weight), each.lift(lift)));
         AnyMixture { terms: terms.collect(), has_smith: self.has_smith }
+    }
+}
+
+impl<T: Real, D: Into<Self>, const N: usize> From<Mixture<T, D, N>> for AnyDistribution<T> {
+    fn from(mixture: Mixture<T, D, N>) -> Self {
+        let (weights, distributions) = mixture.into_parts();
+        let terms = weights.into_iter().zip(distributions);
+        AnyMixture::of(terms.map(|(weight, each)| (weight, each.into()))).into()
     }
 }

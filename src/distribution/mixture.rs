@@ -55,6 +55,10 @@ impl<T: Real, D, const N: usize> Mixture<T, D, N> {
         })
     }
 
+    pub(super) fn into_parts(self) -> ([T; N], [D; N]) {
+        (self.weights, self.distributions)
+    }
+
     /// The weights, whose sum is 1.
     #[must_use]
     pub fn weights(&self) -> &[T; N] {

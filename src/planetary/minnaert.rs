@@ -24,8 +24,8 @@ model! {
     ///
     /// # Energy
     /// Reciprocal, to the last bit. The directional albedo is ρ cos^(k − 1)θ: conserving for k ≥ 1,
-    /// where it falls towards grazing, and **not** for k < 1, where it grows without bound. k = 1 is
-    /// [`Lambert`](crate::Lambert), to the last bit.
+    /// where it falls towards grazing, and **not** for k < 1, where it grows without bound. Value,
+    /// density and albedo for k = 1 are those of [`Lambert`](crate::Lambert), to the last bit.
     ///
     /// # Sampling
     /// With density (k + 1)/2π (N·L)ᵏ, so that every sample of a viewer has the same weight, the
@@ -60,10 +60,10 @@ impl<C, T: Real> Minnaert<C, T> {
         (self.k + T::one()) * T::lit(0.5 * FRAC_1_PI)
     }
 
-    /// cosᵏ⁻¹θ of a direction above the surface; 1 elsewhere.
+    /// cosᵏ⁻¹θ of a direction above the surface; 1 elsewhere. A length above 1 makes no cosine above 1.
     #[inline(always)]
     fn darkening(&self, above: T::Mask, cos: T) -> T {
-        T::select(above, cos, T::one()).powf(self.k - T::one())
+        T::select(above, cos.min(T::one()), T::one()).powf(self.k - T::one())
     }
 }
 

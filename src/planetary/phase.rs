@@ -36,12 +36,12 @@ pub(super) fn sample<T: Real>(xi: T, u: T) -> (T, T) {
     (versine, antiversine)
 }
 
-/// The number for which [`sample`] answers this cosine.
+/// The number for which [`sample`] answers this 1 − cos g and 1 + cos g.
 #[inline(always)]
-pub(super) fn distribution<T: Real>(xi: T, cos: T) -> T {
-    let one = T::one();
-    let root = (one + xi * (xi + T::lit(2.0) * cos)).max(T::zero()).sqrt();
-    let least = one - xi.abs();
-    let root = root.max(least);
-    (one + xi) * (one + cos) / (root * (one - xi + root))
+pub(super) fn distribution<T: Real>(xi: T, (versine, antiversine): (T, T)) -> T {
+    let (one, steepness) = (T::one(), xi.abs());
+    // 1 + 2ξ cos g + ξ², as in the density.
+    let far = T::select(xi.gt(T::zero()), antiversine, versine);
+    let root = ((one - steepness).squared() + T::lit(2.0) * steepness * far).sqrt();
+    (one + xi) * antiversine / (root * (one - xi + root))
 }

@@ -100,7 +100,6 @@ fn the_page_shows_questions_with_their_answers() {
         mistakes += status;
     }
     assert_eq!((kinds.len(), mistakes), (5, 1));
-    assert!(PAGE.contains(&format!("Some of the {} questions", QUESTIONS.lines().count())));
 }
 
 #[test]
