@@ -4,7 +4,7 @@
 #![no_main]
 
 use arbitrary::Arbitrary;
-use brdf::{Lanes, Real, Vector};
+use brdf::{Brdf, Lanes, Real, Vector};
 use brdf_fuzz::geometry::Directions;
 use brdf_fuzz::lanes::assert_lanes_are_scalars;
 use brdf_fuzz::models::Model;

@@ -47,7 +47,7 @@ mod tests {
     fn metals_need_their_feature() {
         let error = serde_json::from_str::<FresnelDescription>(r#"{"metal": "Au"}"#).err();
         assert_eq!(
-            error.map(|error| alloc::string::ToString::to_string(&error)).as_deref(),
+            error.map(|error| error.to_string()).as_deref(),
             Some("metal: metals by name need the feature `materials`")
         );
     }
