@@ -5,7 +5,7 @@ use std::error::Error;
 use brdf::{
     Beckmann, Blinn, Blinn1977, Blinn1977Printed, Conductor, Constant, CookTorrance,
     CookTorrance1982Printed, Dielectric, Distribution, Gaussian, Ggx, Lambert, Mixture,
-    SmithCorrelated, SmithSeparable,
+    SmithCorrelated, SmithSeparable, VCavity,
 };
 use glam::Vec3;
 
@@ -32,7 +32,7 @@ pub(super) fn scenes<'a>(
 
 /// A metal of these facets with V-cavities.
 fn metal(distribution: impl Distribution<f32> + 'static, metal: Conductor) -> Material {
-    material(CookTorrance::new(distribution, metal))
+    material(CookTorrance::from_parts(distribution, metal, VCavity))
 }
 
 fn mixture(roughness: f32) -> Result<Mixture<f32, Beckmann, 2>, Box<dyn Error>> {
@@ -109,7 +109,7 @@ fn shadowing<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>,
         single(SHADOWING, name, words, sphere, light)
     };
     Ok(vec![
-        one("shadowing-v-cavity", "V-cavity", material(smooth)),
+        one("shadowing-v-cavity", "V-cavity", material(smooth.with_shadowing(VCavity))),
         one(
             "shadowing-smith-correlated",
             "Smith, correlated heights",
@@ -131,7 +131,7 @@ fn shadowing<'a>(light: Light<'a>, furnace: Light<'a>) -> Result<Vec<Scene<'a>>,
             ],
             vec![
                 ("white: Lambert, albedo 1".into(), material(Lambert::new(Vec3::ONE)?)),
-                ("V-cavity".into(), material(rough)),
+                ("V-cavity".into(), material(rough.with_shadowing(VCavity))),
                 ("Smith correlated".into(), material(rough.with_shadowing(SmithCorrelated))),
                 ("Smith separable".into(), material(rough.with_shadowing(SmithSeparable))),
             ],
