@@ -22,6 +22,8 @@ pub mod diffuse;
 mod direction;
 pub mod distribution;
 mod error;
+#[cfg(feature = "fit")]
+pub mod fit;
 mod frame;
 pub mod fresnel;
 pub mod glossy;

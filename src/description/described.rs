@@ -1,5 +1,6 @@
 //! The descriptions themselves.
 
+use alloc::vec::Vec;
 use core::cell::RefCell;
 
 use super::brdf::brdf;
@@ -7,6 +8,7 @@ use super::build::Build;
 use super::distribution::distribution;
 use super::error::DescriptionError;
 use super::fresnel::fresnel;
+use super::numbers::{Number, visit_numbers};
 use super::path::Path;
 use super::read::read;
 use super::value::Described;
@@ -73,6 +75,37 @@ macro_rules! description {
                     path: path.key(self.0.form.name()),
                     number: &number,
                 })
+            }
+        }
+
+        impl $name {
+            /// All numbers, in the order in which they stand.
+            #[must_use]
+            pub fn numbers(&self) -> Vec<Number> {
+                let (mut described, mut numbers) = (self.0.clone(), Vec::new());
+                let path = Path::ROOT.key(described.form.name());
+                visit_numbers(&mut described, &path, &mut |path, value, range| {
+                    numbers.push(Number::new(path, *value, range));
+                });
+                numbers
+            }
+
+            /// The same description of other numbers, made of the places and values of these.
+            ///
+            /// # Errors
+            /// If a number is not in its range.
+            pub fn with_numbers(
+                &self,
+                mut change: impl FnMut(&Path<'_>, f64) -> f64,
+            ) -> Result<Self, DescriptionError> {
+                let mut described = self.0.clone();
+                let path = Path::ROOT.key(described.form.name());
+                visit_numbers(&mut described, &path, &mut |path, value, _| {
+                    *value = change(path, *value);
+                });
+                let changed = Self(described);
+                changed.build::<f64>()?;
+                Ok(changed)
             }
         }
 

@@ -35,6 +35,16 @@ pub(super) enum Numbers<V> {
     Three([V; 3]),
 }
 
+impl<V> Numbers<V> {
+    pub(super) fn as_mut_slice(&mut self) -> &mut [V] {
+        match self {
+            Self::One(one) => core::slice::from_mut(one),
+            Self::Two(numbers) => numbers,
+            Self::Three(numbers) => numbers,
+        }
+    }
+}
+
 impl Described {
     /// The value of a parameter, and the parameter.
     pub(super) fn get(&self, key: &str) -> Option<(&'static Parameter, &Value)> {

@@ -1,0 +1,66 @@
+//! All numbers of a description, with their places and ranges.
+
+use alloc::string::{String, ToString};
+
+use super::path::Path;
+use super::value::{Described, Numbers, Value};
+use crate::error::Range;
+
+/// A number of a description.
+///
+/// ```
+/// use brdf::description::BrdfDescription;
+///
+/// let text = r#"{"sum": [{"weight": 1, "brdf": {"oren_nayar": {"albedo": 0.5, "sigma": 0.1}}}]}"#;
+/// let numbers = serde_json::from_str::<BrdfDescription>(text)?.numbers();
+/// assert_eq!(numbers[2].path, "sum[0].brdf.oren_nayar.sigma");
+/// assert_eq!((numbers[2].value, numbers[2].range.lower), (0.1, 0.0));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Number {
+    /// Where it stands, as [`Path`] and errors write it.
+    pub path: String,
+    /// What it is.
+    pub value: f64,
+    /// What it may be.
+    pub range: Range,
+}
+
+impl Number {
+    pub(super) fn new(path: &Path<'_>, value: f64, range: Range) -> Self {
+        Self { path: path.to_string(), value, range }
+    }
+}
+
+/// What is told of every number, and may change it.
+pub(super) type Visit<'a> = &'a mut dyn FnMut(&Path<'_>, &mut f64, Range);
+
+/// Shows all numbers of a form, or of a term of a list, in the order in which they stand.
+pub(super) fn visit_numbers(described: &mut Described, path: &Path<'_>, visit: Visit<'_>) {
+    let form = described.form;
+    let parameters = form.parameters();
+    for (index, value) in described.values.iter_mut().enumerate() {
+        if let Value::Term(term) = value {
+            visit_numbers(term, &path.index(index), visit);
+            continue;
+        }
+        let Some(parameter) = parameters.get(index) else { continue };
+        let keyed = path.key(parameter.name);
+        let place = if form.is_value() { path } else { &keyed };
+        match value {
+            Value::Numbers(numbers) => {
+                let one = matches!(numbers, Numbers::One(_));
+                for (index, value) in numbers.as_mut_slice().iter_mut().enumerate() {
+                    let indexed = place.index(index);
+                    if let Some(range) = parameter.kind.range(index) {
+                        visit(if one { place } else { &indexed }, value, range);
+                    }
+                }
+            }
+            Value::Form(part) => visit_numbers(part, &place.key(part.form.name()), visit),
+            Value::Flag(_) | Value::Word(..) | Value::Text(_) | Value::Term(_) => {}
+        }
+    }
+}
