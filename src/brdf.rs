@@ -70,7 +70,7 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// By default the mean weight of the 4181 samples of a lattice; models that know a closed form
     /// use it.
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
-        mean_over_square(|u| weight(self, wo, u))
+        mean_weight(self, wo)
     }
 
     /// [`eval`](Self::eval) for a block of pairs: what [`eval_batch`](Self::eval_batch) calls block
@@ -210,6 +210,11 @@ impl<T: Real> DrawBlock<'_, T> {
             },
         );
     }
+}
+
+/// The mean weight of the samples of a lattice.
+pub(crate) fn mean_weight<T: Real, M: Brdf<T> + ?Sized>(model: &M, wo: T::Vec3) -> M::Color {
+    mean_over_square(|u| weight(model, wo, u))
 }
 
 /// The weight of one sample. A call, so that the loops of the default albedo do not multiply the

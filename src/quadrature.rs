@@ -5,7 +5,7 @@ use core::ops::{Add, Mul};
 use crate::real::Real;
 
 /// The positive nodes of the Legendre polynomial of degree 48 on [−1, 1], with their weights.
-const NODES: [(f64, f64); 24] = [
+pub(crate) const NODES_48: [(f64, f64); 24] = [
     (0.03238017096286936, 0.06473769681268392),
     (0.0970046992094627, 0.06446616443595009),
     (0.1612223560688917, 0.06392423858464819),
@@ -32,6 +32,38 @@ const NODES: [(f64, f64); 24] = [
     (0.9987710072524261, 0.0031533460523058385),
 ];
 
+/// The same for degree 32.
+pub(crate) const NODES_32: [(f64, f64); 16] = [
+    (0.04830766568773832, 0.0965400885147278),
+    (0.1444719615827965, 0.09563872007927486),
+    (0.23928736225213706, 0.09384439908080457),
+    (0.33186860228212767, 0.09117387869576389),
+    (0.42135127613063533, 0.08765209300440381),
+    (0.5068999089322294, 0.08331192422694675),
+    (0.5877157572407623, 0.07819389578707031),
+    (0.6630442669302152, 0.0723457941088485),
+    (0.7321821187402897, 0.06582222277636185),
+    (0.7944837959679424, 0.058684093478535544),
+    (0.84936761373257, 0.050998059262376175),
+    (0.8963211557660521, 0.04283589802222668),
+    (0.9349060759377397, 0.03427386291302143),
+    (0.9647622555875064, 0.02539206530926206),
+    (0.9856115115452684, 0.01627439473090567),
+    (0.9972638618494816, 0.007018610009470096),
+];
+
+/// The same for degree 16.
+pub(crate) const NODES_16: [(f64, f64); 8] = [
+    (0.09501250983763744, 0.1894506104550685),
+    (0.2816035507792589, 0.18260341504492358),
+    (0.45801677765722737, 0.16915651939500254),
+    (0.6178762444026438, 0.14959598881657674),
+    (0.755404408355003, 0.12462897125553388),
+    (0.8656312023878318, 0.09515851168249279),
+    (0.9445750230732326, 0.062253523938647894),
+    (0.9894009349916499, 0.027152459411754096),
+];
+
 /// ∫ `formula` from `lower` to `upper`, by 48 Gauss–Legendre nodes: exact for polynomials up to
 /// degree 95, good to the last digits for formulas without kinks.
 ///
@@ -47,14 +79,29 @@ where
     T: Real,
     A: Copy + Add<Output = A> + Mul<T, Output = A>,
 {
+    integrate_with(&NODES_48, lower, upper, formula)
+}
+
+/// The same by other nodes.
+#[inline(always)]
+pub(crate) fn integrate_with<T, A, const N: usize>(
+    nodes: &[(f64, f64); N],
+    lower: T,
+    upper: T,
+    formula: impl Fn(T) -> A,
+) -> A
+where
+    T: Real,
+    A: Copy + Add<Output = A> + Mul<T, Output = A>,
+{
     let center = (lower + upper) * T::lit(0.5);
     let half = (upper - lower) * T::lit(0.5);
     let pair = |(node, weight): (f64, f64)| {
         let offset = half * T::lit(node);
         (formula(center - offset) + formula(center + offset)) * T::lit(weight)
     };
-    let mut sum = pair(NODES[0]);
-    for &node in &NODES[1..] {
+    let mut sum = pair(nodes[0]);
+    for &node in &nodes[1..] {
         sum = sum + pair(node);
     }
     sum * half

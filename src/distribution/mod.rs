@@ -11,6 +11,7 @@ mod ggx;
 mod mixture;
 mod normal_slopes;
 mod roughness;
+mod spread;
 mod traits;
 
 pub use any::{AnyDistribution, AnyMixture};
@@ -21,4 +22,5 @@ pub use blinn_1977::Blinn1977;
 pub use gaussian::Gaussian;
 pub use ggx::Ggx;
 pub use mixture::Mixture;
+pub(crate) use spread::{Spread, Tilt, asinh, sinh};
 pub use traits::{Distribution, Smith};

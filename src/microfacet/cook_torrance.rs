@@ -1,7 +1,8 @@
+use super::albedo::albedo;
 use super::shadowing::{Draw, Mirrored, Shadowing};
 use super::v_cavity::VCavity;
 use crate::block::{BLOCK, ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
-use crate::brdf::{Brdf, Sample};
+use crate::brdf::{Brdf, Sample, mean_weight};
 use crate::distribution::Distribution;
 use crate::fresnel::Fresnel;
 use crate::real::{Lift, Real, lift};
@@ -153,6 +154,11 @@ where
         let h = shadowing.sample_visible(distribution, wo, u);
         let Draw { wi, pdf, weight } = shadowing.mirror(distribution, wo, h);
         Sample { wi, weight: self.fresnel.reflected(weight.cos, weight.scale), pdf }
+    }
+
+    fn albedo(&self, wo: T::Vec3) -> F::Color {
+        albedo(&self.distribution, &self.fresnel, &self.shadowing, wo)
+            .unwrap_or_else(|| mean_weight(self, wo))
     }
 
     // In stages, each a loop of its own. A stage is compiled once for each pair of distribution and

@@ -1,0 +1,166 @@
+//! The directional albedo of a surface of facets, as an integral over the facets.
+//!
+//! In a plane through the normal, with t = tanθ_h, and a = tanθ_o times the cosine of the azimuth
+//! between plane and viewer,
+//!
+//! ```text
+//! E = ∫ D cosθ_h F G (1 + a t) dω_h,  0 < t < a + √(1 + a²)
+//! ```
+//!
+//! over the facets whose mirror direction lies above the surface. Among them the integrand is smooth
+//! but for known kinks, where integrals are cut: products of Gauss–Legendre rules do the rest.
+
+use core::f64::consts::{FRAC_PI_6, TAU};
+use core::ops::{Add, Mul};
+
+use super::planes::{Plane, Planes, Viewer};
+use super::shadowing::{Kinks, Shadowing};
+use crate::direction::{Pair, above_surface};
+use crate::distribution::{Distribution, Spread, Tilt};
+use crate::fresnel::Fresnel;
+use crate::quadrature::{NODES_16, NODES_32, integrate_with};
+use crate::real::{Color, Mask, Real, Vector};
+
+/// ∫ f cosθᵢ dωᵢ, if what it takes is known of distribution and shadowing.
+#[inline(never)]
+pub(super) fn albedo<T, D, F, S>(
+    distribution: &D,
+    fresnel: &F,
+    shadowing: &S,
+    wo: T::Vec3,
+) -> Option<F::Color>
+where
+    T: Real,
+    D: Distribution<T>,
+    F: Fresnel<T>,
+    S: Shadowing<T, D>,
+{
+    let kinks = shadowing.kinks(distribution)?;
+    let viewer = Viewer::new(wo);
+    let reflected = |facet: &Pair<T>, scale: T| {
+        let white = scale * facet.cos_i * shadowing.visibility(distribution, facet);
+        Reflected { color: fresnel.reflected(facet.cos_d.min(T::one()), white), white }
+    };
+    let mut all = Reflected::<T, F::Color>::none();
+    for (part, spread) in distribution.spreads()? {
+        let rays = Rays { spread, kinks, wo: viewer.wo };
+        let planes = Planes::new(&rays.spread, kinks, &viewer);
+        let sum = planes.integral(&|plane| rays.integral(plane, &reflected), Reflected::choose);
+        // 4 of the Jacobian, and the mean over all azimuths.
+        all = all + sum * (part * T::lit(4.0 / TAU));
+    }
+    // White facets reflect no more than they receive. What exceeds it is rounding and the rule's error.
+    let scale = T::one() / all.white.max(T::one());
+    let color = (all.color * scale).map(|value| value.min(T::max_finite()));
+    Some(color.only_where(above_surface::<T, _>(wo)))
+}
+
+/// What facets reflect, and what they would if they were white.
+#[derive(Clone, Copy)]
+struct Reflected<T, C> {
+    color: C,
+    white: T,
+}
+
+impl<T: Real, C: Color<T>> Reflected<T, C> {
+    fn none() -> Self {
+        Self { color: C::splat(T::zero()), white: T::zero() }
+    }
+
+    fn choose(mask: T::Mask, yes: Self, no: Self) -> Self {
+        Self {
+            color: C::choose(mask, yes.color, no.color),
+            white: T::select(mask, yes.white, no.white),
+        }
+    }
+}
+
+impl<T: Real, C: Color<T>> Add for Reflected<T, C> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self { color: self.color + other.color, white: self.white + other.white }
+    }
+}
+
+impl<T: Real, C: Color<T>> Mul<T> for Reflected<T, C> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn mul(self, factor: T) -> Self {
+        Self { color: self.color * factor, white: self.white * factor }
+    }
+}
+
+/// The facets of a kind, plane by plane.
+struct Rays<T: Real> {
+    spread: Spread<T>,
+    kinks: Kinks,
+    wo: T::Vec3,
+}
+
+impl<T: Real> Rays<T> {
+    /// The sum over the facets of a plane.
+    fn integral<C: Color<T>>(
+        &self,
+        plane: &Plane<T>,
+        reflected: &impl Fn(&Pair<T>, T) -> Reflected<T, C>,
+    ) -> Reflected<T, C> {
+        let (zero, [x, y]) = (T::zero(), plane.slopes);
+        let per_r = (x.squared() + y.squared()).sqrt();
+        let a = (x * self.wo.x() + y * self.wo.y()) / (self.wo.z() * per_r);
+        let [first, second, last] = ends(a).map(|tan| self.spread.coordinate(tan, per_r));
+        let value = |q: T| self.facet(plane, self.spread.at(q), reflected);
+        match self.kinks {
+            Kinks::None => integrate_with(&NODES_32, zero, last, value),
+            Kinks::Grooves => {
+                let mut sum = integrate_with(&NODES_32, zero, first, value);
+                if !second.gt(first).is_never() {
+                    sum = sum + integrate_with(&NODES_32, first, second, value);
+                }
+                if !last.gt(second).is_never() {
+                    sum = sum + integrate_with(&NODES_16, second, last, value);
+                }
+                sum
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn facet<C: Color<T>>(
+        &self,
+        plane: &Plane<T>,
+        tilt: Tilt<T>,
+        reflected: &impl Fn(&Pair<T>, T) -> Reflected<T, C>,
+    ) -> Reflected<T, C> {
+        let ([x, y], wo) = (plane.slopes, self.wo);
+        let m: T::Vec3 = Vector::new(x * tilt.sin, y * tilt.sin, tilt.cos);
+        let inverse_square = T::one() / Vector::length_squared(m);
+        // The facets of the integral face the viewer.
+        let along = Vector::dot(wo, m).max(T::zero());
+        let sum = m * (T::lit(2.0) * along * inverse_square);
+        let wi = sum - wo;
+        let cos_i = wi.z().max(T::zero());
+        let inverse = inverse_square.sqrt();
+        let (h, cos_d, above) = (m * inverse, along * inverse, cos_i.gt(T::zero()));
+        let pair = Pair { wi, wo, cos_i, cos_o: wo.z(), sum, h, cos_h: h.z(), cos_d, above };
+        reflected(&pair, tilt.density * (along / tilt.cos))
+    }
+}
+
+/// The tangents at which an integral over the facets of a plane is cut if the surface has grooves,
+/// and the last one, of the facet that mirrors the horizon.
+///
+/// In a plane with tanβ = a, G (1 + a t) is the least of 1 + a t, 2 and 2 N·L/N·V. As θ_h grows, the
+/// first is succeeded by the third at π/6 + β/3 if β < π/4, else by the second at π/2 − β and that
+/// by the third at β.
+fn ends<T: Real>(a: T) -> [T; 3] {
+    let (zero, one) = (T::zero(), T::one());
+    let root = (one + a.squared()).sqrt();
+    let last = T::select(a.gt(zero), a + root, one / (root - a.min(zero)));
+    let three = a.gt(one);
+    let single = (T::lit(FRAC_PI_6) + a.atan2(one) * T::lit(1.0 / 3.0)).tan();
+    let first = T::select(three, one / a.max(one), single);
+    [first, T::select(three, a, first), last]
+}
