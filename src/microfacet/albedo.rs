@@ -18,7 +18,7 @@ use super::shadowing::{Kinks, Shadowing};
 use crate::direction::{Pair, above_surface};
 use crate::distribution::{Distribution, Spread, Tilt};
 use crate::fresnel::Fresnel;
-use crate::quadrature::{NODES_16, NODES_32, integrate_with};
+use crate::quadrature::{NODES_16, NODES_24, NODES_32, integrate_with};
 use crate::real::{Color, Mask, Real, Vector};
 
 /// ∫ f cosθᵢ dωᵢ, if what it takes is known of distribution and shadowing.
@@ -36,23 +36,50 @@ where
     S: Shadowing<T, D>,
 {
     let kinks = shadowing.kinks(distribution)?;
-    let viewer = Viewer::new(wo);
+    let (spreads, viewer) = (distribution.spreads()?, Viewer::new(wo));
     let reflected = |facet: &Pair<T>, scale: T| {
         let white = scale * facet.cos_i * shadowing.visibility(distribution, facet);
         Reflected { color: fresnel.reflected(facet.cos_d.min(T::one()), white), white }
     };
-    let mut all = Reflected::<T, F::Color>::none();
-    for (part, spread) in distribution.spreads()? {
-        let rays = Rays { spread, kinks, wo: viewer.wo };
-        let planes = Planes::new(&rays.spread, kinks, &viewer);
-        let sum = planes.integral(&|plane| rays.integral(plane, &reflected), Reflected::choose);
-        // 4 of the Jacobian, and the mean over all azimuths.
-        all = all + sum * (part * T::lit(4.0 / TAU));
-    }
-    // White facets reflect no more than they receive. What exceeds it is rounding and the rule's error.
-    let scale = T::one() / all.white.max(T::one());
-    let color = (all.color * scale).map(|value| value.min(T::max_finite()));
+    let of_kink = |reflectance: Option<T>| {
+        let mut all = Reflected::<T, F::Color>::none();
+        for (part, spread) in &spreads {
+            let rays = Rays { spread: *spread, kinks, reflectance, wo: viewer.wo };
+            let planes = Planes::new(spread, kinks, reflectance, &viewer);
+            let of_plane = |plane: &Plane<T>| rays.integral(plane, &reflected);
+            let sum = planes.integral(&of_plane, Reflected::choose);
+            // 4 of the Jacobian, and the mean over all azimuths.
+            all = all + sum * (*part * T::lit(4.0 / TAU));
+        }
+        // White facets reflect no more than they receive. What exceeds it is rounding and the rule's
+        // error.
+        let scale = T::one() / all.white.max(T::one());
+        (all.color * scale).map(|value| value.min(T::max_finite()))
+    };
+    let color = match fresnel.kinks() {
+        None => of_kink(None),
+        Some(kinks) => channel_by_channel(kinks, of_kink),
+    };
     Some(color.only_where(above_surface::<T, _>(wo)))
+}
+
+/// Every channel by the integral that is cut at its own kink, or by that without, where the kink is
+/// at 0.
+fn channel_by_channel<T: Real, C: Color<T>>(kinks: C, of_kink: impl Fn(Option<T>) -> C) -> C {
+    let zero = T::zero();
+    let smooth = of_kink(None);
+    let (color, _) = kinks.fold((smooth, zero), |(color, before), kink| {
+        // Neighbours often have the same.
+        let other = kink.gt(zero).and(kink.lt(before).or(before.lt(kink)));
+        if other.is_never() {
+            return (color, kink);
+        }
+        let same = |other: T| kink.gt(zero).and(other.le(kink)).and(kink.le(other));
+        let rest = color.zip(kinks, |value, other| value.only_where(same(other).not()));
+        let here = of_kink(Some(kink)).zip(kinks, |value, other| value.only_where(same(other)));
+        (rest + here, kink)
+    });
+    color
 }
 
 /// What facets reflect, and what they would if they were white.
@@ -97,6 +124,8 @@ impl<T: Real, C: Color<T>> Mul<T> for Reflected<T, C> {
 struct Rays<T: Real> {
     spread: Spread<T>,
     kinks: Kinks,
+    /// The cosine at which the reflectance has a kink.
+    reflectance: Option<T>,
     wo: T::Vec3,
 }
 
@@ -110,8 +139,21 @@ impl<T: Real> Rays<T> {
         let (zero, [x, y]) = (T::zero(), plane.slopes);
         let per_r = (x.squared() + y.squared()).sqrt();
         let a = (x * self.wo.x() + y * self.wo.y()) / (self.wo.z() * per_r);
-        let [first, second, last] = ends(a).map(|tan| self.spread.coordinate(tan, per_r));
+        let tangents = ends(a);
+        let [first, second, last] = tangents.map(|tan| self.spread.coordinate(tan, per_r));
         let value = |q: T| self.facet(plane, self.spread.at(q), reflected);
+        if let Some(cos) = self.reflectance {
+            let kinks = crossings(a, cos / self.wo.z(), tangents[2]);
+            let [near, far] = kinks.map(|tan| self.spread.coordinate(tan, per_r));
+            return match self.kinks {
+                Kinks::None => pieces([zero, near, far, last], value),
+                Kinks::Grooves => {
+                    let [low, high] = [first.min(near), second.max(far)];
+                    let [a, b] = [first.max(near), second.min(far)];
+                    pieces([zero, low, a.min(b), a.max(b), high, last], value)
+                }
+            };
+        }
         match self.kinks {
             Kinks::None => integrate_with(&NODES_32, zero, last, value),
             Kinks::Grooves => {
@@ -163,4 +205,43 @@ fn ends<T: Real>(a: T) -> [T; 3] {
     let single = (T::lit(FRAC_PI_6) + a.atan2(one) * T::lit(1.0 / 3.0)).tan();
     let first = T::select(three, one / a.max(one), single);
     [first, T::select(three, a, first), last]
+}
+
+/// The tangents of the facets in a plane that the viewer sees at an angle whose cosine is `ratio`
+/// times that of the surface: none, one or two, the others at an end.
+///
+/// In a plane with tanβ = a that is where cos(θ_h − β) = κ = `ratio`/√(1 + a²).
+fn crossings<T: Real>(a: T, ratio: T, last: T) -> [T; 2] {
+    let (zero, one) = (T::zero(), T::one());
+    let kappa = ratio / (one + a.squared()).sqrt();
+    let there = kappa.lt(one);
+    let tan = ((one - kappa) * (one + kappa)).max(T::lit(1e-30)).sqrt() / kappa.max(T::lit(1e-9));
+    let product = a * tan;
+    let before = there.and(a.gt(tan));
+    let near = T::select(before, (a - tan) / T::select(before, one + product, one), zero);
+    let after = product.lt(one);
+    let far = T::select(after, (a + tan) / T::select(after, one - product, one), last);
+    [near.min(last), T::select(there, far.clamp(zero, last), zero)]
+}
+
+/// An integral over pieces at whose ends the formula may go with the root of the distance.
+fn pieces<T: Real, C: Color<T>, const N: usize>(
+    ends: [T; N],
+    value: impl Fn(T) -> Reflected<T, C>,
+) -> Reflected<T, C> {
+    let (zero, one) = (T::zero(), T::one());
+    let mut sum = Reflected::none();
+    for index in 1..N {
+        let [from, to] = [ends[index - 1], ends[index]];
+        if to.gt(from).is_never() {
+            continue;
+        }
+        let length = (to - from).max(zero);
+        sum = sum
+            + integrate_with(&NODES_24, zero, one, |part: T| {
+                let step = part.squared() * (T::lit(3.0) - part - part);
+                value(from + length * step) * (length * T::lit(6.0) * part * (one - part))
+            });
+    }
+    sum
 }

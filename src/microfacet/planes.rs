@@ -1,6 +1,7 @@
 //! The planes through the normal in which an integral over facets counts them.
 
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::array;
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::{Add, Mul};
 
 use super::shadowing::Kinks;
@@ -59,8 +60,11 @@ pub(super) struct Planes<T: Real> {
     /// Y, and 1 − exp(−2Y).
     length: T,
     whole: T,
-    /// Where the integral over ζ is cut.
-    cuts: [Cut<T>; 2],
+    /// Where the integral over ζ is cut, in the order of ζ: the first two or all six.
+    cuts: [Cut<T>; 6],
+    count: usize,
+    /// Whether the first of two cuts takes fewer nodes.
+    steep: bool,
     /// Where the surface has grain. Elsewhere both sides of the axis are alike.
     grain: T::Mask,
 }
@@ -71,8 +75,6 @@ struct Cut<T> {
     zeta: T,
     /// The width of what is to be resolved here.
     width: T,
-    /// Whether it takes more nodes.
-    fine: bool,
 }
 
 /// One of the planes.
@@ -84,7 +86,13 @@ pub(super) struct Plane<T> {
 }
 
 impl<T: Real> Planes<T> {
-    pub(super) fn new(spread: &Spread<T>, kinks: Kinks, viewer: &Viewer<T>) -> Self {
+    /// For facets whose shadowing has these kinks and whose reflectance has one at a cosine.
+    pub(super) fn new(
+        spread: &Spread<T>,
+        kinks: Kinks,
+        reflectance: Option<T>,
+        viewer: &Viewer<T>,
+    ) -> Self {
         let (one, along, wo) = (T::one(), spread.along(), viewer.wo);
         let scale = one / along[0].max(along[1]);
         let shape = along.map(|along| along * scale);
@@ -100,35 +108,100 @@ impl<T: Real> Planes<T> {
         let length = (cosh + ((cosh - one) * (cosh + one)).sqrt()).ln();
 
         let grain = along[0].lt(along[1]).or(along[1].lt(along[0]));
-        let side = Cut { zeta: T::lit(FRAC_PI_2), width: T::lit(WIDE), fine: true };
+        let cut = |zeta: f64| Cut { zeta: T::lit(zeta), width: T::lit(WIDE) };
         let mut planes = Self {
             along,
             shape,
             axis: half(double),
             length,
             whole: -(-(length + length)).exp_m1(),
-            cuts: [Cut { zeta: -side.zeta, ..side }, side],
+            cuts: [-FRAC_PI_2, FRAC_PI_2, 0.0, 0.0, 0.0, 0.0].map(cut),
+            count: 2,
+            steep: false,
             grain,
         };
         match kinks {
-            Kinks::Grooves => planes.cut_at_kinks(viewer),
+            Kinks::Grooves => planes.cut_at_grooves(viewer),
             Kinks::None if spread.has_steep_facets() => planes.cut_at_smooth_axis(viewer),
             Kinks::None => {}
+        }
+        if let Some(cos) = reflectance {
+            let [a, b] = planes.at_reflectance(viewer, cos);
+            let [c, d] = planes.at_horizon(viewer, cos);
+            planes.cuts = [planes.cuts[0], planes.cuts[1], a, b, c, d];
+            planes.count = 6;
+            planes.sort();
         }
         planes
     }
 
-    /// Cuts where A = B: there begin the planes in which facets are masked.
-    fn cut_at_kinks(&mut self, viewer: &Viewer<T>) {
-        let Viewer { wo, sin, azimuth: [x, y] } = viewer;
-        let there = sin.gt(wo.z());
-        // Cosine and sine of the azimuth from the viewer, tanθ_o cosΔφ = 1.
-        let cos = T::select(there, wo.z() / T::select(there, *sin, T::one()), T::one());
+    /// Cuts where tanθ_o cosΔφ = 1: there begin the planes in which facets are masked.
+    fn cut_at_grooves(&mut self, viewer: &Viewer<T>) {
+        let cos = viewer.wo.z();
+        let there = viewer.sin.gt(cos);
+        let cos = T::select(there, cos / T::select(there, viewer.sin, T::one()), T::one());
+        let zetas = self.beside(viewer, cos);
+        for (cut, zeta) in self.cuts.iter_mut().zip(zetas) {
+            cut.zeta = T::select(there, zeta, cut.zeta);
+        }
+    }
+
+    /// Cuts where the planes begin that have facets of an angle, sinθ_d = sinθ_o |sinΔφ|, or across
+    /// the viewer, where the smaller facets of that angle run along the planes.
+    fn at_reflectance(&self, viewer: &Viewer<T>, cos: T) -> [Cut<T>; 2] {
+        let (one, floor) = (T::one(), T::lit(1e-12));
+        let difference = (cos - viewer.wo.z()) * (cos + viewer.wo.z());
+        let squared = difference / viewer.sin.squared().max(T::lit(1e-6));
+        let begin = squared.clamp(floor, one).sqrt();
+        let width = squared.abs().max(floor).sqrt();
+        let zetas = self.beside(viewer, begin);
+        let others = self.beside(viewer, (begin + width).min(one));
+        array::from_fn(|side| {
+            let width = (zetas[side] - others[side]).abs();
+            Cut { zeta: zetas[side], width: width.max(T::lit(1e-4)) }
+        })
+    }
+
+    /// Cuts where a facet of an angle mirrors the horizon, cosθ_h = cosθ_o/(2 cosθ_d).
+    fn at_horizon(&self, viewer: &Viewer<T>, cos: T) -> [Cut<T>; 2] {
+        let (one, cos_o) = (T::one(), viewer.wo.z());
+        let cos_h = T::lit(0.5) * cos_o / cos.max(T::lit(1e-9));
+        let sines = viewer.sin * ((one - cos_h) * (one + cos_h)).max(T::lit(1e-30)).sqrt();
+        let quotient = (cos - cos_o * cos_h) / sines.max(T::lit(1e-15));
+        let there = cos_h.lt(one).and(quotient.abs().lt(one));
+        let zetas = self.beside(viewer, quotient.only_where(there));
+        let elsewhere = [-0.75 * PI, 0.75 * PI];
+        array::from_fn(|side| {
+            let zeta = T::select(there, zetas[side], T::lit(elsewhere[side]));
+            Cut { zeta, width: T::lit(WIDE) }
+        })
+    }
+
+    /// ζ of both azimuths with this cosine from the viewer, in their order.
+    fn beside(&self, Viewer { azimuth: [x, y], .. }: &Viewer<T>, cos: T) -> [T; 2] {
         let sin = ((T::one() - cos) * (T::one() + cos)).max(T::lit(1e-30)).sqrt();
         let sides = [-sin, sin].map(|sin| self.zeta([*x * cos - *y * sin, *y * cos + *x * sin]));
-        let [first, second] = &mut self.cuts;
-        first.zeta = T::select(there, sides[0].min(sides[1]), first.zeta);
-        second.zeta = T::select(there, sides[0].max(sides[1]), second.zeta);
+        [sides[0].min(sides[1]), sides[0].max(sides[1])]
+    }
+
+    /// Orders the cuts.
+    fn sort(&mut self) {
+        let (pi, turn) = (T::lit(PI), T::lit(TAU));
+        let cuts = &mut self.cuts[..self.count];
+        for cut in &mut *cuts {
+            cut.zeta = T::select(cut.zeta.lt(-pi), cut.zeta + turn, cut.zeta);
+        }
+        for end in (1..cuts.len()).rev() {
+            for low in 0..end {
+                let [a, b] = [cuts[low], cuts[low + 1]];
+                let swapped = b.zeta.lt(a.zeta);
+                let choose = |yes: &Cut<T>, no: &Cut<T>| Cut {
+                    zeta: T::select(swapped, yes.zeta, no.zeta),
+                    width: T::select(swapped, yes.width, no.width),
+                };
+                (cuts[low], cuts[low + 1]) = (choose(&b, &a), choose(&a, &b));
+            }
+        }
     }
 
     /// Cuts where steep facets mirror the viewer into the axis along which the surface is smoother:
@@ -144,10 +217,10 @@ impl<T: Real> Planes<T> {
         let zeta = self.zeta(between);
         let narrow = T::lit(0.5) * self.shape[0].min(self.shape[1]).squared();
         let width = narrow.max(T::lit(0.04)) / self.at(zeta).density;
-        let [first, second] = &mut self.cuts;
+        let [first, second, ..] = &mut self.cuts;
         first.zeta = T::select(self.grain, zeta - T::lit(PI), first.zeta);
+        self.steep = true;
         second.zeta = T::select(self.grain, zeta, second.zeta);
-        first.fine = false;
         second.width = T::select(self.grain, width, second.width);
     }
 
@@ -189,18 +262,32 @@ impl<T: Real> Planes<T> {
     where
         A: Copy + Add<Output = A> + Mul<T, Output = A>,
     {
-        let middle = (self.cuts[0].zeta + self.cuts[1].zeta) * T::lit(0.5);
-        let upper = self.to_cut(&self.cuts[1], [middle, middle + T::lit(PI)], of_plane);
+        let (half, turn) = (self.count / 2, T::lit(TAU));
+        let part = |index: usize| {
+            let zeta = |index: usize| self.cuts[index % self.count].zeta;
+            let before = if index == 0 { zeta(self.count - 1) - turn } else { zeta(index - 1) };
+            let after = if index + 1 == self.count { zeta(0) + turn } else { zeta(index + 1) };
+            let middles = [before, after].map(|other| (other + zeta(index)) * T::lit(0.5));
+            let fine = self.count == 2 && (index == 1 || !self.steep);
+            self.to_cut(&self.cuts[index], fine, middles, of_plane)
+        };
+        let sum = |first: usize| (1..half).fold(part(first), |sum, next| sum + part(first + next));
+        let upper = sum(half);
         if self.grain.is_never() {
             return upper + upper;
         }
-        let lower = self.to_cut(&self.cuts[0], [middle, middle - T::lit(PI)], of_plane);
-        upper + choose(self.grain, lower, upper)
+        upper + choose(self.grain, sum(0), upper)
     }
 
     /// The part between a cut and the middles of both arcs that it ends.
     #[inline(never)]
-    fn to_cut<A>(&self, cut: &Cut<T>, middles: [T; 2], of_plane: &impl Fn(&Plane<T>) -> A) -> A
+    fn to_cut<A>(
+        &self,
+        cut: &Cut<T>,
+        fine: bool,
+        middles: [T; 2],
+        of_plane: &impl Fn(&Plane<T>) -> A,
+    ) -> A
     where
         A: Copy + Add<Output = A> + Mul<T, Output = A>,
     {
@@ -217,7 +304,7 @@ impl<T: Real> Planes<T> {
                 let density = plane.density * (arc.abs() * crowding * inverse * cosh);
                 of_plane(&plane) * density
             };
-            if cut.fine {
+            if fine {
                 integrate_with(&NODES_48, zero, one, of_part)
             } else {
                 integrate_with(&NODES_32, zero, one, of_part)
