@@ -67,8 +67,10 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// radiance 1. For a reciprocal model it is also the fraction reflected of the light that
     /// arrives along `wo`.
     ///
-    /// By default the mean weight of the 4181 samples of a lattice; models that know a closed form
-    /// use it.
+    /// By default the mean weight of the 4181 samples of a lattice: for samples whose weights are at
+    /// most 1 it is within 6·10⁻⁴ of the integral where it was measured, on microfacet models of
+    /// roughness 0.05 … 1. The models of this crate have closed forms or integrals on a line, good
+    /// to 10⁻⁷, or, [`CookTorrance`](crate::CookTorrance), an integral over facets, good to 10⁻⁶.
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
         mean_weight(self, wo)
     }
