@@ -3,6 +3,7 @@
 
 mod common;
 
+use std::cell::Cell;
 use std::hint::black_box;
 
 use brdf::batch::{eval_each, parallel};
@@ -150,10 +151,10 @@ fn each<M: Brdf<Color = Vec3> + Copy>(
     group.throughput(Throughput::Elements(COUNT as u64));
     group.bench_function("loop of calls", |bencher| {
         bencher.iter(|| {
-            let mut index = 0;
+            let next = Cell::new(0);
             black_box(&mut planes).each(|wi, wo| {
-                index += 1;
-                model(index - 1).map_or(Vec3::ZERO, |model| model.eval(wi, wo))
+                let index = next.replace(next.get() + 1);
+                model(index).map_or(Vec3::ZERO, |model| model.eval(wi, wo))
             });
         });
     });

@@ -68,10 +68,12 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// radiance 1. For a reciprocal model it is also the fraction reflected of the light that
     /// arrives along `wo`.
     ///
-    /// By default the mean weight of the 4181 samples of a lattice; models that know a closed form
-    /// use it.
+    /// By default the mean weight of the 4181 samples of a lattice: for samples whose weights are at
+    /// most 1 it is within 6·10⁻⁴ of the integral where it was measured, on microfacet models of
+    /// roughness 0.05 … 1. The models of this crate have closed forms or integrals on a line, good
+    /// to 10⁻⁷, or, [`CookTorrance`](crate::CookTorrance), an integral over facets, good to 10⁻⁶.
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
-        mean_over_square(|u| weight(self, wo, u))
+        mean_weight(self, wo)
     }
 
     /// [`eval`](Self::eval) for a block of pairs: what [`eval_batch`](Self::eval_batch) calls block
@@ -206,6 +208,11 @@ impl<T: Real> DrawBlock<'_, T> {
             },
         );
     }
+}
+
+/// The mean weight of the samples of a lattice.
+pub(crate) fn mean_weight<T: Real, M: Brdf<T> + ?Sized>(model: &M, wo: T::Vec3) -> M::Color {
+    mean_over_square(|u| weight(model, wo, u))
 }
 
 /// The weight of one sample. A call, so that the loops of the default albedo do not multiply the

@@ -5,6 +5,7 @@ use super::blinn::Blinn;
 use super::gaussian::Gaussian;
 use super::ggx::Ggx;
 use super::mixture::{Mixture, weights};
+use super::spread::Spreads;
 use super::traits::Distribution;
 use crate::block::{DirectionBlock, Plane, UniformBlock};
 use crate::error::ParameterError;
@@ -93,6 +94,10 @@ impl<T: Real> Distribution<T> for AnyDistribution<T> {
     #[inline]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         each_distribution!(self, distribution => distribution.sample(u))
+    }
+
+    fn spreads(&self) -> Option<Spreads<T>> {
+        each_distribution!(self, distribution => distribution.spreads())
     }
 
     fn density_block(&self, h: DirectionBlock<'_, T>, densities: &mut Plane<T>) {

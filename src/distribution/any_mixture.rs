@@ -4,6 +4,7 @@ use core::array;
 
 use super::any::{AnyDistribution, AnyMixture, each_smith};
 use super::mixture::{Choice, Visible, reach};
+use super::spread::{Spreads, mixed};
 use super::traits::{Distribution, Smith};
 use crate::block::{BLOCK, Block, DirectionBlock, DrawBlock, Plane, UniformBlock};
 use crate::real::{Mask, Real};
@@ -68,6 +69,10 @@ impl<T: Real> Distribution<T> for AnyMixture<T> {
     #[inline(never)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         self.choose(u, |weight, _| weight, |each, u| each.sample(u))
+    }
+
+    fn spreads(&self) -> Option<Spreads<T>> {
+        mixed(self.terms.iter().map(|(weight, each)| (*weight, each.spreads())))
     }
 
     fn density_block(&self, h: DirectionBlock<'_, T>, densities: &mut Plane<T>) {

@@ -1,5 +1,6 @@
 use super::normal_slopes::{slopes, visible_slopes};
 use super::roughness::Roughness;
+use super::spread::{Spread, Spreads};
 use super::traits::{Distribution, Smith};
 use crate::error::ParameterError;
 use crate::parameter::model;
@@ -95,6 +96,10 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let (x, y) = slopes(u);
         self.roughness.unstretch(x, y, T::one())
+    }
+
+    fn spreads(&self) -> Option<Spreads<T>> {
+        Spread::normal(self.roughness.along()).of_all()
     }
 }
 

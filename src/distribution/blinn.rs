@@ -1,5 +1,6 @@
 use core::f64::consts::FRAC_1_PI;
 
+use super::spread::{Spread, Spreads};
 use super::traits::Distribution;
 use crate::error::{ParameterError, Range};
 use crate::parameter::model;
@@ -95,5 +96,9 @@ impl<T: Real> Distribution<T> for Blinn<T> {
         let sin = (-(ln_cos + ln_cos).exp_m1()).max(T::zero()).sqrt();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
         Vector::new(sin * cos_phi, sin * sin_phi, ln_cos.exp())
+    }
+
+    fn spreads(&self) -> Option<Spreads<T>> {
+        Spread::power(self.exponent).of_all()
     }
 }

@@ -1,6 +1,7 @@
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::gaussian_tilts::Tilts;
+use super::spread::{Spread, Spreads};
 use super::traits::Distribution;
 use crate::parameter::model;
 use crate::real::{Real, Vector};
@@ -78,5 +79,9 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
         // The number nearest to π/2 may lie above it.
         Vector::new(sin * cos_phi, sin * sin_phi, cos.max(T::zero()))
+    }
+
+    fn spreads(&self) -> Option<Spreads<T>> {
+        Spread::angle(self.c, self.steepness).of_all()
     }
 }

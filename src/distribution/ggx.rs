@@ -1,4 +1,5 @@
 use super::roughness::Roughness;
+use super::spread::{Spread, Spreads};
 use super::traits::{Distribution, Smith};
 use crate::error::ParameterError;
 use crate::parameter::model;
@@ -94,6 +95,10 @@ impl<T: Real> Distribution<T> for Ggx<T> {
         let (sin, cos) = (u.sqrt(), (T::one() - u).sqrt());
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
         self.roughness.unstretch(sin * cos_phi, sin * sin_phi, cos)
+    }
+
+    fn spreads(&self) -> Option<Spreads<T>> {
+        Spread::ellipsoid(self.roughness.along()).of_all()
     }
 }
 

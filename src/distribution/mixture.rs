@@ -1,3 +1,4 @@
+use super::spread::{Spreads, mixed};
 use super::traits::{Distribution, Smith};
 use crate::error::{ParameterError, range};
 use crate::real::{Lift, Mask, Real, Vector, lift};
@@ -195,6 +196,15 @@ impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T,
             choice.offer(weight, |u| distribution.sample(u));
         }
         choice.chosen()
+    }
+
+    fn spreads(&self) -> Option<Spreads<T>> {
+        mixed(
+            self.weights
+                .iter()
+                .zip(&self.distributions)
+                .map(|(&weight, each)| (weight, each.spreads())),
+        )
     }
 }
 

@@ -12,6 +12,7 @@ mod mixture;
 mod normal_slopes;
 mod roughness;
 mod scales;
+mod spread;
 mod traits;
 
 pub use any::{AnyDistribution, AnyMixture};
@@ -23,4 +24,5 @@ pub use gaussian::Gaussian;
 pub use ggx::Ggx;
 pub use mixture::Mixture;
 pub use scales::{alpha_of_pbrt_roughness, alpha_of_perceptual_roughness};
+pub(crate) use spread::{Spread, Tilt, asinh, sinh};
 pub use traits::{Distribution, Smith};

@@ -4,6 +4,7 @@ use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::array;
 
+use super::spread::Spreads;
 use crate::block::{
     BatchError, DirectionBlock, Directions, DrawBlock, Normals, Numbers, Plane, UniformBlock, run,
 };
@@ -31,6 +32,13 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     /// that does not lie below the surface. Numbers outside [0, 1) are taken as by
     /// [`Brdf::sample`](crate::Brdf::sample).
     fn sample(&self, u: [T; 2]) -> T::Vec3;
+
+    /// The facets, kind by kind, with the part of each kind: what a quadrature over facets needs to
+    /// place its nodes. `None`, the default, is a distribution of which that is not known.
+    #[doc(hidden)]
+    fn spreads(&self) -> Option<Spreads<T>> {
+        None
+    }
 
     /// [`density`](Self::density) for a block of directions, as
     /// [`Brdf::eval_block`](crate::Brdf::eval_block).
@@ -143,6 +151,9 @@ macro_rules! forward {
             #[inline(always)]
             fn sample(&self, u: [T; 2]) -> T::Vec3 {
                 (**self).sample(u)
+            }
+            fn spreads(&self) -> Option<Spreads<T>> {
+                (**self).spreads()
             }
             fn density_block(&self, h: DirectionBlock<'_, T>, densities: &mut Plane<T>) {
                 (**self).density_block(h, densities);

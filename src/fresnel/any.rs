@@ -73,6 +73,10 @@ impl<T: Real, C: Color<T>> Fresnel<T> for AnyFresnel<T, C> {
         each!(self, term => term.average())
     }
 
+    fn kinks(&self) -> Option<C> {
+        each!(self, term => term.kinks())
+    }
+
     fn reflectance_block(&self, cosines: CosineBlock<'_, T>, values: &mut ColorBlock<T, C>) {
         each!(self, term => term.reflectance_block(cosines, values));
     }

@@ -77,6 +77,14 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Dielectric<C> {
     fn average(&self) -> C {
         self.ior.map(average)
     }
+
+    /// The cosine of the critical angle, √(1 − n²).
+    fn kinks(&self) -> Option<C> {
+        Some(self.ior.map(|ior| {
+            let one = T::one();
+            ((one - ior) * (one + ior)).max(T::lit(1e-30)).sqrt().only_where(ior.lt(one))
+        }))
+    }
 }
 
 /// R_s and R_p of a transparent medium of relative index `ior` (10⁻⁴ … 10⁴), as in [`Dielectric`].

@@ -121,6 +121,22 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
         // At most 1, but for rounding.
         average_over_cosine(|cos| self.reflectance(cos)).map(|average| average.min(T::one()))
     }
+
+    /// That of the reference, or that where the curve comes out of its dip.
+    fn kinks(&self) -> Option<C> {
+        let (zero, one, half) = (T::zero(), T::one(), T::lit(0.5));
+        let normal = self.reference.reflectance(one);
+        let (mut low, mut high) = (zero, one);
+        for _ in 0..48 {
+            let middle = (low + high) * half;
+            let above = self.reference.reflectance(middle).gt(normal);
+            low = T::select(above, middle, low);
+            high = T::select(above, high, middle);
+        }
+        let dip = low.only_where(low.lt(T::lit(0.999)));
+        let kink = self.reference.kinks().map_or(dip, |kink| T::select(kink.gt(zero), kink, dip));
+        Some(C::splat(kink))
+    }
 }
 
 /// Cook and Torrance's interpolation: the colour of the reflected light turns from the colour at
@@ -219,5 +235,9 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Cook<C, F> {
     #[inline(always)]
     fn average(&self) -> C {
         self.reflectance.average() * self.light
+    }
+
+    fn kinks(&self) -> Option<C> {
+        self.reflectance.kinks()
     }
 }

@@ -46,6 +46,13 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         average_over_cosine(|cos| self.reflectance(cos))
     }
 
+    /// The cosine at which each channel is not smooth, 0 where there is none, if any channel may have
+    /// one: what a quadrature over angles has to know.
+    #[doc(hidden)]
+    fn kinks(&self) -> Option<Self::Color> {
+        None
+    }
+
     /// [`reflectance`](Self::reflectance) for a block of cosines, as
     /// [`Brdf::eval_block`](crate::Brdf::eval_block).
     fn reflectance_block(
@@ -115,6 +122,9 @@ macro_rules! forward {
             #[inline(always)]
             fn average(&self) -> F::Color {
                 (**self).average()
+            }
+            fn kinks(&self) -> Option<F::Color> {
+                (**self).kinks()
             }
             fn reflectance_block(
                 &self,

@@ -1,5 +1,5 @@
 use super::mixture_block;
-use super::shadowing::{Draw, Mirrored, Shadowing};
+use super::shadowing::{Draw, Kinks, Mirrored, Shadowing};
 use super::smith::{SmithCorrelated, SmithSeparable};
 use super::v_cavity::VCavity;
 use crate::block::{DrawBlock, PairBlock, Plane};
@@ -151,6 +151,12 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
                 VCavity.sample_visible(distribution, wo, u)
             ),
         }
+    }
+
+    fn kinks(&self, distribution: &AnyDistribution<T>) -> Option<Kinks> {
+        Some(
+            chosen!(self, distribution, _kind => { let _ = distribution; Kinks::None }, Kinks::Grooves),
+        )
     }
 
     #[inline]

@@ -1,8 +1,9 @@
+use super::albedo::albedo;
 use super::shadowing::{Draw, Mirrored, Shadowing};
 use super::smith::SmithCorrelated;
 use super::usual::DefaultShadowing;
 use crate::block::{BLOCK, ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
-use crate::brdf::{Brdf, Sample};
+use crate::brdf::{Brdf, Sample, mean_weight};
 use crate::distribution::Distribution;
 use crate::fresnel::Fresnel;
 use crate::real::{Lift, Real, lift};
@@ -27,8 +28,17 @@ use crate::real::{Lift, Real, lift};
 /// is missing is light that a real surface reflects more than once. Measured with F = 1 at 0°,
 /// 60°, 80°, 89.9°: V-cavity with Beckmann's distribution 1.000, 0.999, 0.942, 0.998 at roughness
 /// 0.1 and 0.605, 0.839, 0.949, 0.9995 at 0.8; Smith's with GGX 0.307, 0.451, 0.668, 0.989 at
-/// roughness 1. The default [`albedo`](Brdf::albedo) is within 6·10⁻⁴ of these integrals
-/// (roughness 0.05 … 1, F = 1, all three shadowings).
+/// roughness 1.
+///
+/// # Albedo
+/// [`albedo`](Brdf::albedo) is an integral over facets by Gauss–Legendre rules, cut where G or F is
+/// not smooth. Its relative error is below 10⁻⁶, in `f32` as in `f64`, for the distributions,
+/// shadowings and Fresnel terms of this crate, roughness 0.01 … 1, up to 89°. One exception is known:
+/// Beckmann's distribution with roughness 1 along one axis and a tenth or less along the other,
+/// before a medium of an index below 1, where it reaches 4·10⁻⁵. Such a medium takes one more
+/// integral for each different index among the channels. With a distribution or a shadowing that was
+/// written elsewhere the albedo is the default's mean over samples, and a Fresnel term that was
+/// written elsewhere must be a smooth function of the cosine.
 ///
 /// # Sampling
 /// By visible normals: the density of a sample is G₁(V) D/(4 N·V) and its weight F G/G₁(V), never
@@ -85,7 +95,7 @@ impl<D: DefaultShadowing, F> CookTorrance<D, F, D::Shadowing> {
     ///
     /// let mirrors = CookTorrance::new(Ggx::new(1.0)?, Constant::new(DVec3::ONE)?);
     /// let lost = 1.0 - mirrors.albedo(DVec3::Z).x;
-    /// assert!((lost - 2.0_f64.ln()).abs() < 1e-3);
+    /// assert!((lost - 2.0_f64.ln()).abs() < 1e-9);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     #[must_use]
@@ -180,6 +190,11 @@ where
         let h = shadowing.sample_visible(distribution, wo, u);
         let Draw { wi, pdf, weight } = shadowing.mirror(distribution, wo, h);
         Sample { wi, weight: self.fresnel.reflected(weight.cos, weight.scale), pdf }
+    }
+
+    fn albedo(&self, wo: T::Vec3) -> F::Color {
+        albedo(&self.distribution, &self.fresnel, &self.shadowing, wo)
+            .unwrap_or_else(|| mean_weight(self, wo))
     }
 
     // In stages, each a loop of its own. A stage is compiled once for each pair of distribution and

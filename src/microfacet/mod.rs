@@ -1,10 +1,12 @@
 //! Surfaces of many small mirrors: shadowing of the facets, and their reflection.
 
+mod albedo;
 mod any_shadowing;
 mod areas;
 mod cook_torrance;
 mod historical;
 mod mixture_block;
+mod planes;
 mod scaled;
 mod shadowing;
 mod smith;

@@ -90,6 +90,10 @@ impl<T: Real, M: Brdf<T>> Brdf<T> for Scaled<M, T> {
         Sample { weight: Scaled::limited(sample.weight, self.scale), ..sample }
     }
 
+    fn albedo(&self, wo: T::Vec3) -> M::Color {
+        Scaled::limited(self.model.albedo(wo), self.scale)
+    }
+
     fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, M::Color>) {
         self.model.eval_block(pairs, values);
         Scaled::limit::<M::Color>(values, self.scale);

@@ -59,6 +59,14 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     /// taken as by [`Brdf::sample`](crate::Brdf::sample).
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 
+    /// Where G is not smooth as a function of the facet's normal, if that is known: what a quadrature
+    /// over facets has to know of it.
+    #[doc(hidden)]
+    fn kinks(&self, distribution: &D) -> Option<Kinks> {
+        let _ = distribution;
+        None
+    }
+
     /// [`sample_visible`](Self::sample_visible) for a block of viewers: the components of `h` fill
     /// the first three planes.
     fn sample_visible_block(
@@ -183,6 +191,15 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
             },
         );
     }
+}
+
+/// Where G is not smooth as a function of the facet's normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kinks {
+    /// Nowhere.
+    None,
+    /// Where one of the three terms of [`VCavity`](super::VCavity) takes over from another.
+    Grooves,
 }
 
 /// Light that facets mirror: what the Fresnel term is asked, and what its answer is multiplied by.
@@ -334,6 +351,9 @@ macro_rules! forward {
             #[inline(always)]
             fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(distribution, wo, u)
+            }
+            fn kinks(&self, distribution: &D) -> Option<Kinks> {
+                (**self).kinks(distribution)
             }
             fn sample_visible_block(
                 &self,

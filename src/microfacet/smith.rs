@@ -1,5 +1,5 @@
 use super::areas::Areas;
-use super::shadowing::Shadowing;
+use super::shadowing::{Kinks, Shadowing};
 use crate::block::{DrawBlock, Plane};
 use crate::direction::Pair;
 use crate::distribution::Smith;
@@ -111,6 +111,10 @@ macro_rules! from_areas {
             #[inline(always)]
             fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T {
                 Self::unshadowed_of(areas(distribution, pair), pair)
+            }
+
+            fn kinks(&self, _: &D) -> Option<Kinks> {
+                Some(Kinks::None)
             }
 
             sampled_by_the_distribution!();

@@ -1,7 +1,7 @@
 use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 use super::areas::Areas;
-use super::shadowing::Shadowing;
+use super::shadowing::{Kinks, Shadowing};
 use crate::block::{BLOCK, DrawBlock, Plane};
 use crate::direction::{Pair, above_or_normal};
 use crate::distribution::Distribution;
@@ -107,6 +107,10 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let [tilt, place] = uniform(u);
         visible_of_tilt::<T>(distribution.sample([tilt, T::lit(EIGHTH)]), wo, place)
+    }
+
+    fn kinks(&self, _: &D) -> Option<Kinks> {
+        Some(Kinks::Grooves)
     }
 
     fn sample_visible_block(

@@ -34,8 +34,8 @@ fn albedo_keeps_its_promise() {
     }
 }
 
-/// `albedo` against cubature of `eval`: closed forms and integrals on a line to 10⁻⁷, the lattice of
-/// samples behind the default of microfacet models to the 5·10⁻⁴ of F = 1 that they promise.
+/// `albedo` against cubature of `eval`: closed forms and integrals on a line to 10⁻⁷, the integral over
+/// facets of microfacet models to the 10⁻⁶ that they promise.
 #[test]
 fn albedo_is_the_integral() {
     for entry in models::double() {

@@ -1,6 +1,7 @@
 //! What holds of every model of the registry, `tests/registry.jsonl`, and of the formulas it is made
 //! of.
 
+mod albedo;
 mod batch;
 mod energy;
 mod mutants;

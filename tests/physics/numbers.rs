@@ -61,7 +61,7 @@ macro_rules! lanes_equal_scalars {
                     let value = lanes.model.eval(gather(&wi), gather(&wo));
                     let pdf = lanes.model.pdf(gather(&wi), gather(&wo));
                     let sample = lanes.model.sample(gather(&wo), u.map(Lanes));
-                    // The default albedo takes 4181 samples: a few directions are enough.
+                    // An albedo takes thousands of values: a few directions are enough.
                     let albedo = (index % 64 == 0).then(|| lanes.model.albedo(gather(&wo)));
                     for lane in 0..N {
                         let at = |v: Vector3<Lanes<$float, N>>| {

@@ -113,8 +113,8 @@ fn weights_average_to_the_albedo() {
     });
 }
 
-/// The model's own albedo agrees with the integral: formulas and integrals on a line to 10⁻⁷, means
-/// of a lattice to 5·10⁻⁴, of the largest weight if that is larger.
+/// The model's own albedo agrees with the integral: formulas and integrals on a line to 10⁻⁷,
+/// integrals over facets to 10⁻⁶, of the largest weight if that is larger.
 ///
 /// The cubature answers 10⁻¹⁰ or better where lobes are smooth, and says so. Phong's lobe of exponent
 /// 0 jumps at a right angle from the mirror direction, which an estimate of the error need not see.

@@ -38,7 +38,7 @@ pub struct Promises {
     /// Where the directional albedo exceeds 1; `None` for a model that promises it never does.
     pub gain: Option<Gain>,
     /// How far its `albedo` may be from the integral, relative to an albedo above 1: the error of
-    /// its formula, or that of the lattice of samples behind the default.
+    /// its formula, or that of its integral over facets.
     pub albedo_error: f64,
     /// No sample weighs more, but for what grooves add; 10³⁰⁸ for weights
     /// without bound.

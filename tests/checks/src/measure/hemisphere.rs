@@ -202,7 +202,7 @@ impl Done {
     }
 }
 
-fn both_sides() -> impl Iterator<Item = (f64, f64, f64)> {
+pub(super) fn both_sides() -> impl Iterator<Item = (f64, f64, f64)> {
     let (center, others) = (NODES[0], &NODES[1..]);
     let mirrored =
         others.iter().flat_map(|&(x, kronrod, gauss)| [(x, kronrod, gauss), (-x, kronrod, gauss)]);

@@ -4,6 +4,7 @@ use brdf::Brdf;
 use glam::{DVec3, Vec3};
 
 pub mod energy;
+pub mod facets;
 pub mod furnace;
 pub mod hemisphere;
 pub mod normalization;

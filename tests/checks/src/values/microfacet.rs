@@ -26,7 +26,8 @@ fn g<T: Number, D: Distribution<T>>(
     normals: &D,
     pair: &Pair<T>,
 ) -> f64 {
-    shadowing.g(normals, pair).into()
+    let visibility: f64 = shadowing.visibility(normals, pair).into();
+    4.0 * pair.cos_i.into() * pair.cos_o.into() * visibility
 }
 
 /// G₁(wo, h), for the half vector of the pair.
@@ -35,7 +36,8 @@ fn g1<T: Number, D: Distribution<T>>(
     normals: &D,
     pair: &Pair<T>,
 ) -> f64 {
-    shadowing.g1(normals, pair).into()
+    let masking: f64 = shadowing.masking(normals, pair).into();
+    4.0 * pair.cos_o.into() * masking
 }
 
 /// The same G as G₁ times the weight of a sample.
@@ -56,6 +58,11 @@ fn shadowing<T: Number>() -> Verdict {
         let (beckmann, ggx) = (Beckmann::new(roughness)?, Ggx::new(roughness)?);
         let pair = Pair::<T>::new(case.vector::<T>("i"), case.vector::<T>("o"));
         case.same("v_cavity", g(&VCavity, &beckmann, &pair))?;
+        case.same("v_cavity", VCavity.g(&beckmann, &pair).into())?;
+        case.same("ggx_correlated", SmithCorrelated.g(&ggx, &pair).into())?;
+        let both =
+            SmithSeparable.g1(&ggx, &pair) * SmithSeparable.g1(&ggx, &Pair::new(pair.wo, pair.wi));
+        case.same("ggx_separable", both.into())?;
         case.same("beckmann_correlated", g(&SmithCorrelated, &beckmann, &pair))?;
         case.same("beckmann_separable", g(&SmithSeparable, &beckmann, &pair))?;
         case.same("ggx_correlated", g(&SmithCorrelated, &ggx, &pair))?;
