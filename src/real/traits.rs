@@ -167,6 +167,7 @@ pub trait Real:
     /// never reaches does not stop it from changing.
     #[must_use]
     #[inline(always)]
+    #[track_caller]
     fn at_most(self, bound: Self) -> Self {
         self.min(bound)
     }

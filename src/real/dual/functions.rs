@@ -5,7 +5,7 @@ use core::f64::consts::{FRAC_2_SQRT_PI, TAU};
 use super::super::math::ierfcx;
 use super::super::traits::{Mask, Real};
 use super::super::vector3::Vector3;
-use super::{Dual, zip};
+use super::{Dual, each, zip};
 
 /// Functions of one number: what the value is called, and the slope there. A slope that is infinite
 /// is 0, behind a `select` whose other side is finite.
@@ -66,7 +66,7 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     fn at_most(self, bound: Self) -> Self {
         // What is no number has no excess by rounding: there the bound takes its place.
         let finite = self.value.le(T::max_finite());
-        let kept = self.derivatives.map(|derivative| derivative.only_where(finite));
+        let kept = each(self.derivatives, |derivative| derivative.only_where(finite));
         Self { value: self.value.min(bound.value), derivatives: kept }
     }
     #[inline(always)]

@@ -3,7 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::super::traits::Real;
-use super::{Dual, zip};
+use super::{Dual, each, zip};
 
 impl<T: Real, const N: usize> Add for Dual<T, N> {
     type Output = Self;
@@ -41,10 +41,13 @@ impl<T: Real, const N: usize> Div for Dual<T, N> {
     #[inline(always)]
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
-        // Quotients, since the inverse of a small number may overflow where they do not.
-        let derivatives =
-            zip(self.derivatives, other.derivatives, |a, b| (a - value * b) / other.value);
-        Self { value, derivatives }
+        // One quotient for all. That of the smallest numbers would overflow, and has to stay a number.
+        let largest = T::max_finite();
+        let inverse = (T::one() / other.value).clamp(-largest, largest);
+        Self {
+            value,
+            derivatives: zip(self.derivatives, other.derivatives, |a, b| (a - value * b) * inverse),
+        }
     }
 }
 
@@ -52,6 +55,6 @@ impl<T: Real, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self { value: -self.value, derivatives: self.derivatives.map(Neg::neg) }
+        Self { value: -self.value, derivatives: each(self.derivatives, Neg::neg) }
     }
 }
