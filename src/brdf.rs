@@ -71,7 +71,8 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// By default the mean weight of the 4181 samples of a lattice: for samples whose weights are at
     /// most 1 it is within 6·10⁻⁴ of the integral where it was measured, on microfacet models of
     /// roughness 0.05 … 1. The models of this crate have closed forms or integrals on a line, good
-    /// to 10⁻⁷, or, [`CookTorrance`](crate::CookTorrance), an integral over facets, good to 10⁻⁶.
+    /// to 10⁻⁷, or, [`CookTorrance`](crate::CookTorrance), an integral over facets, good to 10⁻⁶. Its
+    /// [derivatives](crate::Dual) are those of the integral, also by samples.
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
         mean_weight(self, wo)
     }
@@ -217,9 +218,20 @@ pub(crate) fn mean_weight<T: Real, M: Brdf<T> + ?Sized>(model: &M, wo: T::Vec3) 
 
 /// The weight of one sample. A call, so that the loops of the default albedo do not multiply the
 /// code of the sampler.
+///
+/// The directions of the samples are nodes of a quadrature. They move with the parameters, and
+/// some fall out of it, but the integral has the derivative of its integrand at nodes that stay.
 #[inline(never)]
 fn weight<T: Real, M: Brdf<T> + ?Sized>(model: &M, wo: T::Vec3, u: [T; 2]) -> M::Color {
-    model.sample(wo, u).weight
+    let Sample { wi, weight, pdf } = model.sample(wo, u);
+    if !T::HAS_DERIVATIVES {
+        return weight;
+    }
+    let wi: T::Vec3 = Vector::new(wi.x().held(), wi.y().held(), wi.z().held());
+    let drawn = pdf.gt(T::zero());
+    let scale = wi.z() / T::select(drawn, pdf, T::one()).held();
+    let integrand = (model.eval(wi, wo) * scale).only_where(drawn);
+    weight.zip(integrand, T::with_derivatives_of)
 }
 
 /// A direction drawn by [`Brdf::sample`].

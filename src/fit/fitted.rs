@@ -114,7 +114,8 @@ fn errors(derivatives: DMatrix<f64>, held: &[bool]) -> (Vec<Option<f64>>, DMatri
         return (errors, correlation);
     };
     let largest = decomposition.singular_values.max();
-    let (mut covariance, mut alike) = (DMatrix::zeros(places.len(), places.len()), vec![0.0; count]);
+    let (mut covariance, mut alike) =
+        (DMatrix::zeros(places.len(), places.len()), vec![0.0; count]);
     for (value, direction) in decomposition.singular_values.iter().zip(directions.row_iter()) {
         if *value > ALIKE * largest {
             covariance += direction.transpose() * direction / (value * value);

@@ -75,7 +75,9 @@ mod tests {
                 assert!((lower..=upper).contains(&value), "{value}");
                 let step = 1e-6;
                 let difference = (at(x + step) - at(x - step)) / (2.0 * step);
-                assert!((slope - difference).abs() <= 1e-8 * (upper - lower).min(1.0 + value.abs()));
+                assert!(
+                    (slope - difference).abs() <= 1e-8 * (upper - lower).min(1.0 + value.abs())
+                );
             }
             assert!(free.is_at_bound(at(-40.0)) && free.is_at_bound(at(40.0)));
         }

@@ -139,7 +139,8 @@ impl<'a, D: Fittable> Fit<'a, D> {
         let before = self.free.len();
         for number in self.numbers.iter().filter(below) {
             let Range { lower, upper } = bounds.unwrap_or(number.range);
-            let allowed = lower < upper && number.range.lower <= lower && upper <= number.range.upper;
+            let allowed =
+                lower < upper && number.range.lower <= lower && upper <= number.range.upper;
             if !allowed {
                 self.failure.get_or_insert(FitError::Bounds(number.path.clone()));
             }

@@ -3,6 +3,7 @@
 
 mod albedo;
 mod batch;
+mod derivatives;
 mod energy;
 mod mutants;
 mod numbers;
