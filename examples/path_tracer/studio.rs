@@ -1,0 +1,72 @@
+//! The scene of the picture: things on the floor of a photographer's studio.
+
+use std::error::Error;
+
+use brdf::materials::{ALUMINIUM, COPPER, GOLD, Material as Measured};
+use brdf::{
+    Brdf, Conductor, CookTorrance, Ggx, Lambert, OrenNayar, ParameterError, SmithCorrelated,
+};
+use glam::Vec3;
+
+use crate::film::Camera;
+use crate::light::Lamp;
+use crate::plastic::Plastic;
+use crate::scene::{Material, Object, Scene};
+use crate::shape::Shape;
+use crate::spectral::{Spectral, WHITE, black_body, pigment, wavelengths};
+
+pub fn camera() -> Camera {
+    Camera {
+        position: Vec3::new(0.0, 3.1, 12.0),
+        target: Vec3::new(0.0, 0.72, 0.0),
+        half_width: 0.335,
+    }
+}
+
+/// A metal, exact at each wavelength.
+fn metal(facets: Ggx, measured: &Measured) -> Result<Material, ParameterError> {
+    let surface: Conductor<Spectral> = measured.conductor(wavelengths())?;
+    Ok(Box::new(CookTorrance::new(facets, surface).with_shadowing(SmithCorrelated)))
+}
+
+fn object(shape: Shape, center: [f32; 3], material: Material) -> Object {
+    Object { shape, center: Vec3::from_array(center), material }
+}
+
+fn boxed(model: impl Brdf<Color = Spectral> + 'static) -> Material {
+    Box::new(model)
+}
+
+pub fn scene() -> Result<Scene, Box<dyn Error>> {
+    // Short wavelengths, long ones, and where the pigment goes from one to the other.
+    let (blue, clay) = (pigment(0.55, 0.02, 500.0), pigment(0.16, 0.55, 575.0));
+    let sphere = |radius| Shape::Sphere { radius };
+    let objects = vec![
+        object(
+            Shape::Studio { depth: 7.0, bend: 5.0 },
+            [0.0, 0.0, 0.0],
+            boxed(Lambert::new(WHITE * 0.5)?),
+        ),
+        object(
+            Shape::Bowl { radius: 0.95, lip: 0.2, half_wall: 0.05 },
+            [-2.75, 1.0, -0.5],
+            boxed(OrenNayar::new(clay, 0.5)?),
+        ),
+        object(sphere(1.0), [-0.75, 1.0, -0.6], metal(Ggx::new(0.2)?, &GOLD)?),
+        object(
+            Shape::Disc { radius: 0.85, half_height: 0.3, edge: 0.05 },
+            [-1.35, 0.3, 1.6],
+            metal(Ggx::anisotropic(0.06, 0.3)?, &ALUMINIUM)?,
+        ),
+        object(sphere(0.6), [0.75, 0.6, 1.2], metal(Ggx::new(0.08)?, &COPPER)?),
+        object(sphere(0.95), [2.1, 0.95, -0.3], boxed(Plastic::new(blue, 0.07, 1.5)?)),
+    ];
+    let target = Vec3::new(0.0, 0.6, 0.0);
+    let lamps = vec![
+        // The key, above at the left; a strip at the right; a large dim one overhead.
+        Lamp::facing(target, Vec3::new(-5.5, 6.0, 4.5), [3.5, 3.5], black_body(5600.0) * 9.0),
+        Lamp::facing(target, Vec3::new(7.0, 3.5, 0.5), [1.2, 5.0], black_body(7500.0) * 6.0),
+        Lamp::facing(target, Vec3::new(0.0, 8.0, -2.0), [6.0, 2.0], WHITE * 3.0),
+    ];
+    Ok(Scene { objects, lamps, surroundings: WHITE * 0.12 })
+}
