@@ -65,7 +65,7 @@ fn bowl(material: impl Model, surroundings: Spectral, lamp: Spectral) -> (Scene,
     let object =
         |shape, height| Object { shape, center: Vec3::Y * height, material: Box::new(material) };
     let objects = vec![
-        object(Shape::Studio { depth: 3.0, bend: 1.0 }, 0.0),
+        object(Shape::Floor, 0.0),
         object(Shape::Bowl { radius: 0.9, lip: 0.0, half_wall: 0.1 }, 1.0),
     ];
     let target = Vec3::new(0.0, 0.5, 0.0);

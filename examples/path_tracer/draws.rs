@@ -7,26 +7,21 @@
 pub struct Draws {
     path: u32,
     seed: u32,
-    dimension: u32,
+    set: u32,
 }
 
 impl Draws {
     pub const fn new(path: u32, seed: u32) -> Self {
-        Self { path, seed, dimension: 0 }
+        Self { path, seed, set: 0 }
     }
 
-    /// The next number, in [0, 1).
-    pub fn number(&mut self) -> f32 {
-        let dimension = self.dimension % sobol_burley::NUM_DIMENSIONS;
-        let round = self.dimension / sobol_burley::NUM_DIMENSIONS;
-        self.dimension += 1;
+    /// The next four, in [0, 1).
+    pub fn four(&mut self) -> [f32; 4] {
+        const SETS: u32 = sobol_burley::NUM_DIMENSION_SETS_4D;
+        let (set, round) = (self.set % SETS, self.set / SETS);
+        self.set += 1;
         // Long paths begin the sequence again with another seed.
         let seed = self.seed.wrapping_add(round.wrapping_mul(0x9e37_79b9));
-        sobol_burley::sample(self.path, dimension, seed)
-    }
-
-    /// The next numbers.
-    pub fn numbers<const N: usize>(&mut self) -> [f32; N] {
-        std::array::from_fn(|_| self.number())
+        sobol_burley::sample_4d(self.path, set, seed)
     }
 }

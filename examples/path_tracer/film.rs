@@ -59,8 +59,8 @@ impl Film {
             let mut sum = BLACK;
             for path in 0..self.samples {
                 let mut draws = Draws::new(path, row * self.width + column);
-                let within = Vec2::from_array(draws.numbers());
-                let place = (Vec2::new(column as f32, row as f32) + within) * 2.0 - size;
+                let [x, y, ..] = draws.four();
+                let place = (Vec2::new(column as f32, row as f32) + Vec2::new(x, y)) * 2.0 - size;
                 let ray = camera.ray(Vec2::new(place.x, -place.y) / size.x);
                 sum = sum + radiance(ray, &mut draws);
             }

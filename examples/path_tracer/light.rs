@@ -11,6 +11,9 @@ pub struct Lamp {
     center: Vec3,
     /// From the centre to the middles of two edges.
     half: [Vec3; 2],
+    /// The direction in which it shines.
+    normal: Vec3,
+    area: f32,
     radiance: Spectral,
 }
 
@@ -25,22 +28,13 @@ impl Lamp {
         let normal = (point - center).normalize();
         let across = Vec3::Y.cross(normal).normalize_or(Vec3::X);
         let half = [across * (0.5 * width), normal.cross(across) * (0.5 * height)];
-        Self { center, half, radiance }
-    }
-
-    /// The direction in which it shines.
-    fn normal(&self) -> Vec3 {
-        self.half[0].cross(self.half[1]).normalize()
-    }
-
-    fn area(&self) -> f32 {
-        4.0 * self.half[0].cross(self.half[1]).length()
+        Self { center, half, normal, area: width * height, radiance }
     }
 
     /// The distance at which a ray meets the lamp, from either side.
     pub fn first(&self, ray: &Ray) -> Option<f32> {
-        let normal = self.normal();
-        let distance = (self.center - ray.origin).dot(normal) / ray.direction.dot(normal);
+        let toward = ray.direction.dot(self.normal);
+        let distance = (self.center - ray.origin).dot(self.normal) / toward;
         let from_center = ray.at(distance) - self.center;
         let inside = |half: Vec3| from_center.dot(half).abs() <= half.length_squared();
         (distance > 0.0 && self.half.into_iter().all(inside)).then_some(distance)
@@ -48,7 +42,7 @@ impl Lamp {
 
     /// What it sends against a direction: nothing from its back.
     pub fn radiance(&self, direction: Vec3) -> Spectral {
-        let front = if direction.dot(self.normal()) < 0.0 { 1.0 } else { 0.0 };
+        let front = if direction.dot(self.normal) < 0.0 { 1.0 } else { 0.0 };
         self.radiance * front
     }
 
@@ -63,9 +57,9 @@ impl Lamp {
     /// uniform point, 1/area, in solid angle. Directions to the back count as never drawn: they
     /// bring nothing.
     pub fn pdf(&self, ray: &Ray) -> f32 {
-        let cos = -ray.direction.dot(self.normal());
+        let cos = -ray.direction.dot(self.normal);
         match self.first(ray) {
-            Some(distance) if cos > 0.0 => distance * distance / (cos * self.area()),
+            Some(distance) if cos > 0.0 => distance * distance / (cos * self.area),
             _ => 0.0,
         }
     }

@@ -52,9 +52,11 @@ pub fn radiance_by(drawn: Drawn, scene: &Scene, mut ray: Ray, draws: &mut Draws)
         };
         let wo = surface.frame.to_local(-ray.direction);
 
+        let [choice, u0, u1, chance] = draws.four();
+
         // A direction from the lamps: f and the surface's own density of it in one call.
         if drawn != Drawn::Surface
-            && let Some(direction) = scene.sample_lamps(surface.point, draws.numbers())
+            && let Some(direction) = scene.sample_lamps(surface.point, choice, [u0, u1])
         {
             let to_lamp = surface.ray(direction);
             let wi = surface.frame.to_local(direction);
@@ -70,7 +72,8 @@ pub fn radiance_by(drawn: Drawn, scene: &Scene, mut ray: Ray, draws: &mut Draws)
         }
 
         // A direction from the surface: its weight f cosθᵢ/p is ready.
-        let sample = surface.material.sample(wo, draws.numbers());
+        let [v0, v1, ..] = draws.four();
+        let sample = surface.material.sample(wo, [v0, v1]);
         throughput = throughput * sample.weight;
         // So narrow a lobe that no density can be told is a mirror's, which has no rival.
         ray_pdf = if sample.pdf > 0.0 { sample.pdf } else { f32::INFINITY };
@@ -78,7 +81,7 @@ pub fn radiance_by(drawn: Drawn, scene: &Scene, mut ray: Ray, draws: &mut Draws)
 
         // Dim paths end by chance, and those that do not count for the others: Russian roulette.
         let follow = if surfaces < CERTAIN { 1.0 } else { largest(throughput).min(LIKELY) };
-        if largest(throughput) <= 0.0 || draws.number() >= follow {
+        if largest(throughput) <= 0.0 || chance >= follow {
             return sum;
         }
         throughput = throughput * (1.0 / follow);

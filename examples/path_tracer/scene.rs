@@ -79,9 +79,9 @@ impl Scene {
     }
 
     /// Draws a direction towards a lamp, each as likely as another.
-    pub fn sample_lamps(&self, origin: Vec3, [choice, u0, u1]: [f32; 3]) -> Option<Vec3> {
+    pub fn sample_lamps(&self, origin: Vec3, choice: f32, u: [f32; 2]) -> Option<Vec3> {
         let index = (choice * self.lamps.len() as f32) as usize;
-        self.lamps.get(index).map(|lamp| lamp.sample(origin, [u0, u1]))
+        self.lamps.get(index).map(|lamp| lamp.sample(origin, u))
     }
 
     /// The density of [`sample_lamps`](Self::sample_lamps): a direction may lead to several lamps,

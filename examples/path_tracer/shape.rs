@@ -1,6 +1,6 @@
 //! Shapes, and where a ray meets them.
 
-use glam::{Vec2, Vec3};
+use glam::{Vec2, Vec3, Vec3Swizzles};
 
 /// A half line.
 #[derive(Clone, Copy, Debug)]
@@ -16,10 +16,11 @@ impl Ray {
     }
 }
 
-/// A surface around the origin, +y up, known by the distance of any point from it. All but the
-/// studio are turned on a lathe.
+/// A surface around the origin, +y up, known by the distance of any point from it.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
+    /// All below the origin.
+    Floor,
     Sphere {
         radius: f32,
     },
@@ -35,11 +36,6 @@ pub enum Shape {
         lip: f32,
         half_wall: f32,
     },
-    /// A floor that bends up into a wall at the back, without a seam.
-    Studio {
-        depth: f32,
-        bend: f32,
-    },
 }
 
 /// On a surface within this distance; about a tenth of what shadows begin with.
@@ -49,25 +45,22 @@ impl Shape {
     /// Distance from the surface, negative inside.
     pub fn distance(&self, p: Vec3) -> f32 {
         // Radius and height: the plane of the profile.
-        let profile = Vec2::new(p.x.hypot(p.z), p.y);
+        let profile = || Vec2::new(p.xz().length(), p.y);
         match *self {
             Self::Sphere { radius } => p.length() - radius,
             Self::Disc { radius, half_height, edge } => {
                 let corner = Vec2::new(radius - edge, half_height - edge);
-                let beyond = profile.abs() - corner;
+                let beyond = profile().abs() - corner;
                 beyond.max(Vec2::ZERO).length() + beyond.max_element().min(0.0) - edge
             }
             Self::Bowl { radius, lip, half_wall } => {
                 let end = Vec2::new((radius * radius - lip * lip).sqrt(), lip);
+                let profile = profile();
                 let below_lip = profile.y * end.x <= profile.x * end.y;
                 let from_arc = (profile.length() - radius).abs();
                 if below_lip { from_arc - half_wall } else { profile.distance(end) - half_wall }
             }
-            Self::Studio { depth, bend } => {
-                let to = Vec2::new(p.z + depth, p.y);
-                let inner = (bend - to).max(Vec2::ZERO);
-                if inner.min_element() > 0.0 { bend - inner.length() } else { to.min_element() }
-            }
+            Self::Floor => p.y,
         }
     }
 
@@ -77,7 +70,7 @@ impl Shape {
             Self::Sphere { radius } => radius,
             Self::Disc { radius, half_height, .. } => radius.hypot(half_height),
             Self::Bowl { radius, half_wall, .. } => radius + half_wall,
-            Self::Studio { .. } => 100.0,
+            Self::Floor => f32::INFINITY,
         }
     }
 
@@ -91,6 +84,9 @@ impl Shape {
     /// Distance along the ray to the first point of the surface: as far as the surface is away, the
     /// ray may go without missing it (J. C. Hart, *Sphere tracing*, The Visual Computer 12, 1996).
     pub fn first(&self, ray: &Ray) -> Option<f32> {
+        if let Self::Floor = self {
+            return Some(-ray.origin.y / ray.direction.y).filter(|at| *at > 0.0);
+        }
         let middle = -ray.origin.dot(ray.direction);
         let across_squared = ray.at(middle).length_squared();
         let half = (self.bound().powi(2) - across_squared).max(0.0).sqrt();

@@ -17,9 +17,9 @@ use crate::spectral::{Spectral, WHITE, black_body, pigment, wavelengths};
 
 pub fn camera() -> Camera {
     Camera {
-        position: Vec3::new(0.0, 3.1, 12.0),
-        target: Vec3::new(0.0, 0.72, 0.0),
-        half_width: 0.335,
+        position: Vec3::new(0.0, 4.6, 12.0),
+        target: Vec3::new(-0.1, 0.72, 0.2),
+        half_width: 0.295,
     }
 }
 
@@ -39,34 +39,32 @@ fn boxed(model: impl Brdf<Color = Spectral> + 'static) -> Material {
 
 pub fn scene() -> Result<Scene, Box<dyn Error>> {
     // Short wavelengths, long ones, and where the pigment goes from one to the other.
-    let (blue, clay) = (pigment(0.55, 0.02, 500.0), pigment(0.16, 0.55, 575.0));
+    let (blue, clay) = (pigment(0.55, 0.02, 500.0), pigment(0.16, 0.6, 575.0));
+    let red = pigment(0.03, 0.75, 595.0);
     let sphere = |radius| Shape::Sphere { radius };
     let objects = vec![
+        object(Shape::Floor, [0.0, 0.0, 0.0], boxed(Lambert::new(WHITE * 0.5)?)),
         object(
-            Shape::Studio { depth: 7.0, bend: 5.0 },
-            [0.0, 0.0, 0.0],
-            boxed(Lambert::new(WHITE * 0.5)?),
-        ),
-        object(
-            Shape::Bowl { radius: 0.95, lip: 0.2, half_wall: 0.05 },
-            [-2.75, 1.0, -0.5],
+            Shape::Bowl { radius: 0.95, lip: 0.12, half_wall: 0.05 },
+            [-2.6, 1.0, -0.3],
             boxed(OrenNayar::new(clay, 0.5)?),
         ),
-        object(sphere(1.0), [-0.75, 1.0, -0.6], metal(Ggx::new(0.2)?, &GOLD)?),
+        object(sphere(0.56), [-2.5, 0.67, -0.22], boxed(Plastic::new(red, 0.05, 1.5)?)),
+        object(sphere(1.1), [-0.4, 1.1, -0.7], metal(Ggx::new(0.17)?, &GOLD)?),
         object(
-            Shape::Disc { radius: 0.85, half_height: 0.3, edge: 0.05 },
-            [-1.35, 0.3, 1.6],
-            metal(Ggx::anisotropic(0.06, 0.3)?, &ALUMINIUM)?,
+            Shape::Disc { radius: 0.9, half_height: 0.22, edge: 0.05 },
+            [-0.75, 0.22, 1.7],
+            metal(Ggx::anisotropic(0.05, 0.3)?, &ALUMINIUM)?,
         ),
-        object(sphere(0.6), [0.75, 0.6, 1.2], metal(Ggx::new(0.08)?, &COPPER)?),
-        object(sphere(0.95), [2.1, 0.95, -0.3], boxed(Plastic::new(blue, 0.07, 1.5)?)),
+        object(sphere(0.6), [1.2, 0.6, 1.1], metal(Ggx::new(0.08)?, &COPPER)?),
+        object(sphere(0.95), [2.3, 0.95, -0.5], boxed(Plastic::new(blue, 0.07, 1.5)?)),
     ];
     let target = Vec3::new(0.0, 0.6, 0.0);
     let lamps = vec![
         // The key, above at the left; a strip at the right; a large dim one overhead.
-        Lamp::facing(target, Vec3::new(-5.5, 6.0, 4.5), [3.5, 3.5], black_body(5600.0) * 9.0),
-        Lamp::facing(target, Vec3::new(7.0, 3.5, 0.5), [1.2, 5.0], black_body(7500.0) * 6.0),
-        Lamp::facing(target, Vec3::new(0.0, 8.0, -2.0), [6.0, 2.0], WHITE * 3.0),
+        Lamp::facing(target, Vec3::new(-5.5, 6.0, 3.5), [3.2, 3.2], black_body(4700.0) * 17.0),
+        Lamp::facing(target, Vec3::new(6.5, 3.5, 0.5), [1.2, 5.0], black_body(8000.0) * 7.0),
+        Lamp::facing(target, Vec3::new(0.0, 7.0, -3.0), [7.0, 1.6], WHITE * 3.0),
     ];
-    Ok(Scene { objects, lamps, surroundings: WHITE * 0.12 })
+    Ok(Scene { objects, lamps, surroundings: black_body(9000.0) * 0.07 })
 }
