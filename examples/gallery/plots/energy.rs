@@ -5,7 +5,7 @@ use std::error::Error;
 use brdf::{
     Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong, Constant,
     CookTorrance, CookTorrance1982Printed, Gaussian, Ggx, Lambert, OrenNayar, Phong, SchlickPower,
-    SmithCorrelated, SmithSeparable, from_spherical,
+    SmithCorrelated, SmithSeparable, VCavity, from_spherical,
 };
 
 use brdf_checks::models::{self, Entry};
@@ -101,9 +101,9 @@ pub(super) fn conserving() -> Result<Figure, Box<dyn Error>> {
         || -> Result<_, Box<dyn Error>> { Ok(CookTorrance::new(Beckmann::new(m)?, white()?)) };
     let ggx = || -> Result<_, Box<dyn Error>> { Ok(CookTorrance::new(Ggx::new(m)?, white()?)) };
     let facets: [(&str, Model); 7] = [
-        ("Beckmann, V-cavity", Box::new(beckmann()?)),
+        ("Beckmann, V-cavity", Box::new(beckmann()?.with_shadowing(VCavity))),
         ("Beckmann, Smith correlated", Box::new(beckmann()?.with_shadowing(SmithCorrelated))),
-        ("GGX, V-cavity", Box::new(ggx()?)),
+        ("GGX, V-cavity", Box::new(ggx()?.with_shadowing(VCavity))),
         ("GGX, Smith correlated", Box::new(ggx()?.with_shadowing(SmithCorrelated))),
         ("GGX, Smith separable", Box::new(ggx()?.with_shadowing(SmithSeparable))),
         ("Gaussian, V-cavity", Box::new(CookTorrance::new(Gaussian::new(m)?, white()?))),

@@ -31,7 +31,7 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
             SECTION,
             "lambert",
             ["Lambert", "Equal radiance in all directions; albedo 0.72, 0.42, 0.30."],
-            material(Lambert::new(clay)?),
+            ("Lambert", material(Lambert::new(clay)?)),
             light,
         ),
         single(
@@ -41,7 +41,7 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
                 "Oren–Nayar, σ = 0.3",
                 "The same albedo on rough ground: flatter than Lambert, brighter at the edge.",
             ],
-            material(OrenNayar::new(clay, 0.3)?),
+            ("Oren–Nayar, σ = 0.3", material(OrenNayar::new(clay, 0.3)?)),
             light,
         ),
         row(
@@ -58,16 +58,17 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
         row(
             SECTION,
             "oren-nayar-square",
-            ["The same in the studio", "Light from the sides hides most of the difference."],
+            ["The same in the square", "Light from the sides hides most of the difference."],
             compared()?,
             light,
-        ),
+        )
+        .with_difference(3, 0, 4.0),
         series(
             SECTION,
             "oren-nayar-series",
             [
                 "Oren–Nayar from smooth to very rough",
-                "Under head-on light; the centre darkens by A, the edge gains by B.",
+                "The centre darkens by A, the edge gains by B.",
             ],
             ("σ", [0.0, 0.1, 0.2, 0.4, 0.8]),
             |sigma| Ok(material(OrenNayar::new(gray, sigma)?)),
@@ -78,13 +79,14 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
             "oren-nayar-interreflection",
             [
                 "Oren–Nayar with and without interreflection",
-                "Head-on light, σ = 0.5: the constant 0.57 in place of 0.33 brightens the surface.",
+                "σ = 0.5: the constant 0.57 in place of 0.33 brightens the surface.",
             ],
             vec![
                 ("0.33".into(), material(OrenNayar::new(gray, 0.5)?)),
                 ("0.57".into(), material(OrenNayar::with_interreflection(gray, 0.5)?)),
             ],
             moon,
-        ),
+        )
+        .with_difference(1, 0, 4.0),
     ])
 }
