@@ -34,6 +34,14 @@ pub struct Link {
     pub made_by: &'static str,
 }
 
+/// The page of the gallery, from those of the folders in it.
+#[allow(dead_code, reason = "the gallery does not lead to itself")]
+pub const GALLERY: Link = Link {
+    page: "../index.html",
+    title: "Gallery",
+    made_by: "cargo run --release --example gallery",
+};
+
 /// A page of all pictures; those of one section follow each other, sections keep their order.
 pub fn page(title: &str, introduction: &str, links: &[Link], pictures: &[Picture]) -> String {
     let mut sections: Vec<&str> = Vec::new();

@@ -13,6 +13,8 @@ mod picture;
 mod plastic;
 mod plots;
 mod scenes;
+#[path = "../path_tracer/screen.rs"]
+mod screen;
 #[allow(dead_code, reason = "light and pigments that only the path tracer needs")]
 #[path = "../path_tracer/spectral.rs"]
 mod spectral;
@@ -41,8 +43,8 @@ const LAMP: Lamp = Lamp {
 
 const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
     The square is a photographed one under an overcast sky, and the lamp is round and warm, above \
-    at the left. Exposure is fixed, so brightnesses compare. The tone curve is M/(1 + M) for the \
-    largest channel M, the others keep their ratio to it; then sRGB. No sphere sees another. Where \
+    at the left. Exposure is fixed, so brightnesses compare. Colours whose largest channel is at most 0.76 \
+    are shown as they are; brighter ones bend towards white. No sphere sees another. Where \
     spheres look alike, a square shows the difference of the pictures' values, so many times, on \
     grey. α is roughness, n an exponent or an index of refraction, σ an angle in radians.";
 
@@ -91,7 +93,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         bar.set_message(scene.picture.file.clone());
         let quality = match small {
             true => Quality { tile: 40, rays: 16 },
-            false => Quality { tile: 300, rays: 64 },
+            false => Quality { tile: 300, rays: 32 },
         };
         let path = out.join(&scene.picture.file);
         sphere::render(&scene.tiles, scene.light, quality)?

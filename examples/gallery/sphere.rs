@@ -10,7 +10,7 @@ use rand_pcg::Pcg32;
 use rayon::prelude::*;
 
 use crate::environment::Environment;
-use crate::lettering;
+use crate::{lettering, screen};
 
 /// A model of any kind.
 pub type Material = Box<dyn Brdf<Color = Vec3>>;
@@ -82,8 +82,8 @@ pub struct Quality {
 const RADIUS: f32 = 0.88;
 /// Height of the camera above the horizon, radians: the upper pole is in view.
 const ELEVATION: f32 = 0.35;
-/// The background at the top and at the bottom, linear display values.
-const BACKGROUND: [f32; 2] = [0.10, 0.035];
+/// The background at the top and at the bottom, values of a screen.
+const BACKGROUND: [f32; 2] = [0.35, 0.2];
 
 /// The height of the letters over the width of a square.
 const LETTERS: f32 = 0.064;
@@ -118,8 +118,7 @@ pub fn render(
         };
         for (index, value) in square.iter().enumerate() {
             let (x, y) = (index as u32 % quality.tile, index as u32 / quality.tile);
-            let bytes = value.to_array().map(|value| (value.clamp(0.0, 1.0) * 255.0).round() as u8);
-            picture.put_pixel(left + x, y, Rgb(bytes));
+            picture.put_pixel(left + x, y, Rgb(screen::bytes(*value)));
         }
         shown.push(square);
         for (line, text) in label.split('\n').enumerate() {
@@ -137,15 +136,14 @@ fn sphere(material: &Material, light: Light, quality: Quality) -> Vec<Vec3> {
     let pixel = |index: u32| {
         let corner = Vec2::new((index % quality.tile) as f32, (index / quality.tile) as f32);
         let mut random = Pcg32::seed_from_u64(index.into());
-        let linear = pixel_color(material, light, corner, quality, random.random());
-        Vec3::from_array(linear.to_array().map(encode))
+        pixel_value(material, light, corner, quality, random.random())
     };
     (0..quality.tile * quality.tile).into_par_iter().map(pixel).collect()
 }
 
-/// Linear display colour of one pixel. Sphere and background are averaged apart and joined after
-/// the tone curve, so that bright edges are smooth.
-fn pixel_color(
+/// A pixel as a screen's value. Sphere and background are averaged apart and joined after the tone
+/// curve, so that bright edges are smooth.
+fn pixel_value(
     material: &Material,
     light: Light,
     corner: Vec2,
@@ -178,8 +176,8 @@ fn pixel_color(
     }
     let radiance = sum / hits;
     let shown = match light {
-        Light::Furnace => furnace_tone(radiance),
-        _ => tone(radiance),
+        Light::Furnace => screen::encode(furnace_tone(radiance)),
+        _ => screen::value(radiance),
     };
     background.lerp(shown, hits / f32::from(quality.rays))
 }
@@ -242,21 +240,10 @@ fn reflected(
     from_light + sample.weight * environment.radiance(direction) * share
 }
 
-/// The tone curve: the largest channel M becomes M/(1 + M), the others keep their ratio to it, so
-/// that bright metal keeps its colour.
-fn tone(radiance: Vec3) -> Vec3 {
-    radiance / (1.0 + radiance.max_element())
-}
-
 /// In a furnace a radiance is shown as it is, and the redder the more it is above 1.
 fn furnace_tone(radiance: Vec3) -> Vec3 {
     // The noise of a white surface is no energy.
     let excess = (radiance.max_element() - 1.01).max(0.0);
     let red = Vec3::new(1.0, 1.0 / (1.0 + excess), 1.0 / (1.0 + excess));
     radiance.min(Vec3::ONE) * red
-}
-
-/// The sRGB transfer function.
-fn encode(linear: f32) -> f32 {
-    if linear <= 0.0031308 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }

@@ -12,6 +12,7 @@ use image::{Rgb, RgbImage};
 use rayon::prelude::*;
 
 use crate::draws::Draws;
+use crate::screen;
 use crate::shape::Ray;
 use crate::spectral::{BLACK, Spectral, WAVELENGTHS};
 
@@ -75,29 +76,6 @@ impl Film {
     }
 }
 
-/// What a screen shows of a colour. Up to a largest channel of 0.8 it is the colour itself; above,
-/// the largest channel bends towards 1 without reaching it, and the colour fades to white (in the
-/// manner of the *Khronos PBR neutral tone mapper*).
-fn tone(color: Vec3) -> Vec3 {
-    const START: f32 = 0.76;
-    let color = color.max(Vec3::ZERO);
-    let peak = color.max_element();
-    if peak < START {
-        return color;
-    }
-    let rest = 1.0 - START;
-    let shown = 1.0 - rest * rest / (peak - START + rest);
-    let fade = 1.0 - 1.0 / (1.0 + 0.15 * (peak - shown));
-    (color * (shown / peak)).lerp(Vec3::splat(shown), fade)
-}
-
-/// The sRGB transfer function, 8 bits.
-fn encode(linear: f32) -> u8 {
-    let value =
-        if linear <= 0.0031308 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    (value.clamp(0.0, 1.0) * 255.0).round() as u8
-}
-
 /// Writes a picture in linear sRGB, as JPEG if the file is called so.
 ///
 /// # Errors
@@ -105,7 +83,7 @@ fn encode(linear: f32) -> u8 {
 pub fn save(rows: &[Vec<Vec3>], path: &Path) -> Result<(), Box<dyn Error>> {
     let width = rows.first().map_or(0, Vec::len);
     let picture = RgbImage::from_fn(width as u32, rows.len() as u32, |x, y| {
-        Rgb(tone(rows[y as usize][x as usize]).to_array().map(encode))
+        Rgb(screen::bytes(screen::value(rows[y as usize][x as usize])))
     });
     if path.extension().is_some_and(|ending| ending == "jpg") {
         let file = BufWriter::new(File::create(path)?);

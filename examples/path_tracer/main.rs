@@ -18,6 +18,7 @@ mod light;
 mod path;
 mod plastic;
 mod scene;
+mod screen;
 mod shape;
 mod spectral;
 mod studio;
