@@ -5,11 +5,12 @@ mod common;
 
 use std::hint::black_box;
 
-use brdf::batch::parallel;
+use brdf::batch::{eval_each, parallel};
 use brdf::{
-    Beckmann, BlinnPhong, Brdf, Conductor, CookTorrance, Ggx, Lanes, Lift, OrenNayar, Schlick,
-    SmithCorrelated, Vector3,
+    Beckmann, BlinnPhong, Brdf, Conductor, CookTorrance, Dielectric, Ggx, Lanes, Lift, OrenNayar,
+    ParameterError, Schlick, VCavity, Vector3,
 };
+use common::metallic_roughness::MetallicRoughness;
 use common::planes::Planes;
 use common::{COUNT, by_hand, pairs, uniforms};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
@@ -97,25 +98,92 @@ fn models(criterion: &mut Criterion) {
     let (alpha, f0, eta, k, exponent) = black_box((0.3, F0, ETA, K, 40.0));
     let gold = Conductor::new(eta, k).expect(IN_RANGE);
     let beckmann = Beckmann::new(alpha).expect(IN_RANGE);
-    let facets = CookTorrance::new(beckmann, Schlick::new(f0).expect(IN_RANGE));
+    let facets = CookTorrance::from_parts(beckmann, Schlick::new(f0).expect(IN_RANGE), VCavity);
     model(criterion, "Cook–Torrance Beckmann V-cavity Schlick", &facets, |wi, wo| {
         by_hand::cook_torrance(wi, wo, alpha, f0)
     });
     let ggx = CookTorrance::new(Ggx::new(alpha).expect(IN_RANGE), gold);
-    model(criterion, "GGX Smith gold", &ggx.with_shadowing(SmithCorrelated), |wi, wo| {
-        by_hand::ggx(wi, wo, alpha, eta, k)
-    });
+    model(criterion, "GGX Smith gold", &ggx, |wi, wo| by_hand::ggx(wi, wo, alpha, eta, k));
     let phong = BlinnPhong::new(f0, exponent).expect(IN_RANGE);
     model(criterion, "Blinn–Phong", &phong, |wi, wo| by_hand::blinn_phong(wi, wo, exponent, f0));
     let rough = OrenNayar::new(f0, alpha).expect(IN_RANGE);
     model(criterion, "Oren–Nayar", &rough, |wi, wo| by_hand::oren_nayar(wi, wo, alpha, f0));
 }
 
+/// A model of another crate: its batch, and the loop of calls that its author would write.
+fn foreign(criterion: &mut Criterion) {
+    let (color, roughness) = black_box((F0, 0.5));
+    let model = MetallicRoughness::new(color, 0.3, roughness).expect(IN_RANGE);
+    let mut planes = Planes::new(&pairs(), &uniforms());
+    let mut group = criterion.benchmark_group("a model of another crate");
+    group.throughput(Throughput::Elements(COUNT as u64));
+    group.bench_function("loop of calls", |bencher| {
+        bencher.iter(|| black_box(&mut planes).each(|wi, wo| model.eval(wi, wo)));
+    });
+    group.bench_function("loop of calls not inlined", |bencher| {
+        bencher.iter(|| black_box(&mut planes).each(|wi, wo| call(&model, wi, wo)));
+    });
+    group.bench_function("batch", |bencher| {
+        bencher.iter(|| {
+            let (wi, wo, values) = black_box(&mut planes).eval();
+            model.eval_batch(wi, wo, values).expect(SAME_LENGTH);
+        });
+    });
+    group.finish();
+}
+
+#[inline(never)]
+fn call<M: Brdf<Color = Vec3>>(model: &M, wi: Vec3, wo: Vec3) -> Vec3 {
+    model.eval(wi, wo)
+}
+
+/// A model for each element, made in the loop of calls and by [`eval_each`].
+fn each<M: Brdf<Color = Vec3> + Copy>(
+    criterion: &mut Criterion,
+    name: &str,
+    model: impl Fn(f32) -> Result<M, ParameterError>,
+) {
+    let mut planes = Planes::new(&pairs(), &uniforms());
+    let roughness: Vec<f32> = uniforms().iter().map(|u| 0.1 + 0.9 * u[0] as f32).collect();
+    let model = |index: usize| model(roughness[index % roughness.len()]);
+    let mut group = criterion.benchmark_group(format!("a model for each element, {name}"));
+    group.throughput(Throughput::Elements(COUNT as u64));
+    group.bench_function("loop of calls", |bencher| {
+        bencher.iter(|| {
+            let mut index = 0;
+            black_box(&mut planes).each(|wi, wo| {
+                index += 1;
+                model(index - 1).map_or(Vec3::ZERO, |model| model.eval(wi, wo))
+            });
+        });
+    });
+    group.bench_function("eval_each", |bencher| {
+        bencher.iter(|| {
+            let (wi, wo, values) = black_box(&mut planes).eval();
+            eval_each(model, wi, wo, values).expect(SAME_LENGTH);
+        });
+    });
+    group.finish();
+}
+
+fn each_model(criterion: &mut Criterion) {
+    let schlick = || Schlick::new(black_box(F0));
+    each(criterion, "GGX Smith Schlick", |alpha| {
+        Ok(CookTorrance::new(Ggx::new(alpha)?, schlick()?))
+    });
+    each(criterion, "Beckmann V-cavity Schlick", |alpha| {
+        Ok(CookTorrance::from_parts(Beckmann::new(alpha)?, schlick()?, VCavity))
+    });
+    each(criterion, "GGX Smith dielectric", |alpha| {
+        let glass = Dielectric::new(Vec3::splat(black_box(1.5)))?;
+        Ok(CookTorrance::new(Ggx::new(alpha)?, glass))
+    });
+}
+
 /// Time per pair from a hundred to ten million pairs, on one core and on all.
 fn scaling(criterion: &mut Criterion) {
     let gold = Conductor::new(ETA, K).expect(IN_RANGE);
     let ggx = CookTorrance::new(Ggx::new(0.3).expect(IN_RANGE), gold);
-    let ggx = ggx.with_shadowing(SmithCorrelated);
     let mut group = criterion.benchmark_group("GGX Smith gold, number of pairs");
     group.sample_size(10);
     for power in 2..=7 {
@@ -139,5 +207,5 @@ fn scaling(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, models, scaling);
+criterion_group!(benches, models, foreign, each_model, scaling);
 criterion_main!(benches);

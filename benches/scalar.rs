@@ -5,7 +5,7 @@ mod common;
 
 use std::hint::black_box;
 
-use brdf::{Beckmann, Brdf, Conductor, CookTorrance, Ggx, Schlick, SmithCorrelated};
+use brdf::{Beckmann, Brdf, Conductor, CookTorrance, Ggx, Schlick, SmithCorrelated, VCavity};
 use common::{COUNT, by_hand, pairs, pairs_f32};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use glam::{DVec3, Vec3};
@@ -36,9 +36,10 @@ fn cook_torrance(criterion: &mut Criterion) {
             black_box(&mut values);
         });
     });
-    let model = CookTorrance::new(
+    let model = CookTorrance::from_parts(
         Beckmann::new(m).expect("the roughness is in range"),
         Schlick::new(f0).expect("the reflectance is in range"),
+        VCavity,
     );
     group.bench_function("crate", |bencher| {
         bencher.iter(|| {

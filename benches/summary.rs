@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use brdf::batch::{InstructionSet, parallel};
 use brdf::{
     Beckmann, BlinnPhong, Brdf, Conductor, CookTorrance, Dielectric, Distribution, Fresnel,
-    Gaussian, Ggx, OrenNayar, Schlick, SmithCorrelated,
+    Gaussian, Ggx, OrenNayar, Schlick, SmithCorrelated, VCavity,
 };
 use common::planes::{DoublePlanes, Planes};
 use common::{COUNT, by_hand, pairs, uniforms};
@@ -36,6 +36,8 @@ type Work<'a, P> = &'a dyn Fn(&mut P);
 struct Row<'a, P> {
     by_hand: Option<Work<'a, P>>,
     calls: Work<'a, P>,
+    /// Calls through a pointer that the compiler does not see through, as a renderer makes them.
+    single: Option<Work<'a, P>>,
     batch: Work<'a, P>,
     cores: Option<Work<'a, P>>,
 }
@@ -48,15 +50,16 @@ struct Inputs<P> {
 
 impl<P> Inputs<P> {
     fn row(&mut self, what: &str, row: &Row<'_, P>) {
-        let works = [row.by_hand, Some(row.calls), Some(row.batch)];
-        let [by_hand, calls, batch] = times(SHORT, COUNT, &mut self.few, works);
+        let works = [row.by_hand, Some(row.calls), row.single, Some(row.batch)];
+        let [by_hand, calls, single, batch] = times(SHORT, COUNT, &mut self.few, works);
         let [one, cores] = times(LONG, MANY, &mut self.many, [Some(row.batch), row.cores]);
         let cell = |time: Option<f64>| time.map_or("–".to_string(), |time| format!("{time:.2}"));
         let ratio = |of: Option<f64>, to: Option<f64>, digits: usize| {
             of.zip(to).map_or("–".to_string(), |(of, to)| format!("{:.digits$} ×", of / to))
         };
         println!(
-            "| {what} | {} | {} | {} | {} | {} | {} | {} |",
+            "| {what} | {} | {} | {} | {} | {} | {} | {} | {} |",
+            cell(single),
             cell(by_hand),
             cell(calls),
             cell(batch),
@@ -108,6 +111,15 @@ fn times<P, const N: usize>(
     })
 }
 
+/// A sample for every pair.
+#[inline(always)]
+fn draw(planes: &mut Planes, model: &impl Brdf<Color = Vec3>) {
+    planes.each(|wi, wo| {
+        let sample = model.sample(wo, [wi.x.abs(), wi.y.abs()]);
+        sample.wi + sample.weight * sample.pdf
+    });
+}
+
 impl Inputs<Planes> {
     fn eval(
         &mut self,
@@ -118,6 +130,10 @@ impl Inputs<Planes> {
         let row = Row::<Planes> {
             by_hand,
             calls: &|planes| planes.each(|wi, wo| model.eval(wi, wo)),
+            single: Some(&|planes| {
+                let model: &dyn Brdf<Color = Vec3> = black_box(model);
+                planes.each(|wi, wo| model.eval(wi, wo));
+            }),
             batch: &|planes| {
                 let (wi, wo, values) = planes.eval();
                 model.eval_batch(wi, wo, values).expect(SAME_LENGTH);
@@ -134,6 +150,10 @@ impl Inputs<Planes> {
         let pdf = Row::<Planes> {
             by_hand: None,
             calls: &|planes| planes.each_number(|wi, wo| model.pdf(wi, wo)),
+            single: Some(&|planes| {
+                let model: &dyn Brdf<Color = Vec3> = black_box(model);
+                planes.each_number(|wi, wo| model.pdf(wi, wo));
+            }),
             batch: &|planes| {
                 let (wi, wo, pdf) = planes.pdf();
                 model.pdf_batch(wi, wo, pdf).expect(SAME_LENGTH);
@@ -146,12 +166,11 @@ impl Inputs<Planes> {
         self.row(&format!("{what}: `pdf`"), &pdf);
         let sample = Row::<Planes> {
             by_hand: None,
-            calls: &|planes| {
-                planes.each(|wi, wo| {
-                    let sample = model.sample(wo, [wi.x.abs(), wi.y.abs()]);
-                    sample.wi + sample.weight * sample.pdf
-                });
-            },
+            calls: &|planes| draw(planes, model),
+            single: Some(&|planes| {
+                let model: &dyn Brdf<Color = Vec3> = black_box(model);
+                draw(planes, &model);
+            }),
             batch: &|planes| {
                 let (wo, u, samples) = planes.sample();
                 model.sample_batch(wo, u, samples).expect(SAME_LENGTH);
@@ -179,6 +198,10 @@ impl Inputs<Planes> {
         let row = Row::<Planes> {
             by_hand: Some(&|planes| each(planes, &by_hand)),
             calls: &|planes| each(planes, |cos| term.reflectance(cos)),
+            single: Some(&|planes| {
+                let term: &dyn Fresnel<f32, Color = f32> = black_box(term);
+                each(planes, |cos| term.reflectance(cos));
+            }),
             batch: &|planes| {
                 let (cosines, values) = planes.cosines();
                 term.reflectance_batch(cosines, values.into()).expect(SAME_LENGTH);
@@ -195,15 +218,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         "{:?}, {threads} threads, ns per pair, RGB `f32` if nothing else is said\n",
         InstructionSet::selected()
     );
-    println!("| | by hand | calls | batch | by hand/batch | batch of 2²⁰ | on all cores | cores |");
-    println!("|---|---|---|---|---|---|---|---|");
+    println!(
+        "| | single calls | by hand | calls in a loop | batch | by hand/batch | batch of 2²⁰ | on all cores | cores |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
     let many: Vec<_> = pairs().into_iter().cycle().take(MANY).collect();
     let mut inputs =
         Inputs { few: Planes::new(&pairs(), &uniforms()), many: Planes::new(&many, &uniforms()) };
     let (alpha, f0, eta, k) = black_box((ALPHA, F0, ETA, K));
     let gold = Conductor::new(eta, k)?;
 
-    let beckmann = CookTorrance::new(Beckmann::new(alpha)?, Schlick::new(f0)?);
+    let beckmann = CookTorrance::from_parts(Beckmann::new(alpha)?, Schlick::new(f0)?, VCavity);
     let name = "Cook–Torrance, Beckmann, V-cavity, Schlick";
     let by_hand: Work<'_, Planes> =
         &|planes| planes.each(|wi, wo| by_hand::cook_torrance(wi, wo, alpha, f0));
@@ -237,6 +262,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let row = Row::<Planes> {
         by_hand: Some(&|planes| planes.each_number(|h, _| by_hand::gaussian(h, alpha, peak))),
         calls: &|planes| planes.each_number(|h, _| gaussian.density(h)),
+        single: Some(&|planes| {
+            let distribution: &dyn Distribution = black_box(&gaussian);
+            planes.each_number(|h, _| distribution.density(h));
+        }),
         batch: &|planes| {
             let (h, _, densities) = planes.pdf();
             gaussian.density_batch(h, densities).expect(SAME_LENGTH);
@@ -255,6 +284,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let row = Row::<Planes> {
         by_hand: Some(&|planes| planes.each(|w, _| of_rgb(w.z))),
         calls: &|planes| planes.each(|w, _| gold.reflectance(w.z)),
+        single: Some(&|planes| {
+            let term: &dyn Fresnel<f32, Color = Vec3> = black_box(&gold);
+            planes.each(|w, _| term.reflectance(w.z));
+        }),
         batch: &|planes| {
             let (cosines, values) = planes.cosines_and_colors();
             gold.reflectance_batch(cosines, values).expect(SAME_LENGTH);
@@ -276,12 +309,16 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         many: DoublePlanes::new(&many, &uniforms()),
     };
     let (alpha, f0) = black_box((0.3, DVec3::new(1.0, 0.78, 0.34)));
-    let model = CookTorrance::new(Beckmann::new(alpha)?, Schlick::new(f0)?);
+    let model = CookTorrance::from_parts(Beckmann::new(alpha)?, Schlick::new(f0)?, VCavity);
     let row = Row::<DoublePlanes> {
         by_hand: Some(&|planes| {
             planes.each(|wi, wo| by_hand::cook_torrance_f64(wi, wo, alpha, f0));
         }),
         calls: &|planes| planes.each(|wi, wo| model.eval(wi, wo)),
+        single: Some(&|planes| {
+            let model: &dyn Brdf<f64, Color = DVec3> = black_box(&model);
+            planes.each(|wi, wo| model.eval(wi, wo));
+        }),
         batch: &|planes| {
             let (wi, wo, values) = planes.eval();
             model.eval_batch(wi, wo, values).expect(SAME_LENGTH);

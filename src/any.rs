@@ -9,7 +9,7 @@ use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{AnyShadowing, CookTorrance, Scaled};
 use crate::planetary::{LommelSeeliger, Minnaert};
 use crate::real::{Color, Real, members};
-use crate::sum::WeightedSum;
+use crate::sum::{SumOfTwo, WeightedSum};
 
 /// The microfacet model of parts that are chosen at run time.
 pub type AnyCookTorrance<T = f32, C = <T as Real>::Vec3> =
@@ -25,15 +25,15 @@ members! {
     /// build it.
     ///
     /// ```
-    /// use brdf::{AnyBrdf, Brdf, CookTorrance, Ggx, Lambert, Schlick, SmithCorrelated};
+    /// use brdf::{AnyBrdf, Brdf, CookTorrance, Ggx, Lambert, Schlick};
     /// use glam::Vec3;
     ///
-    /// let coat = CookTorrance::new(Ggx::new(0.3)?, Schlick::new(Vec3::splat(0.04))?)
-    ///     .with_shadowing(SmithCorrelated);
+    /// let coat = CookTorrance::new(Ggx::new(0.3)?, Schlick::new(Vec3::splat(0.04))?);
     /// let scene: Vec<AnyBrdf> = vec![Lambert::new(Vec3::splat(0.5))?.into(), coat.into()];
     /// assert_eq!(scene[1].eval(Vec3::Z, Vec3::Z), coat.eval(Vec3::Z, Vec3::Z));
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
+    #[doc(alias("material"))]
     pub enum AnyBrdf[T: Real = f32, C: Color<T> = <T as Real>::Vec3][T: Real, C: Color<T>]
         AnyBrdf<T, C> => AnyBrdf<U, C::Over<U>>
     {
@@ -140,7 +140,7 @@ impl<D, F, S> CookTorrance<D, F, S> {
         S: Into<AnyShadowing>,
     {
         let (distribution, fresnel, shadowing) = self.into_parts();
-        CookTorrance::new(distribution.into(), fresnel.into()).with_shadowing(shadowing.into())
+        CookTorrance::from_parts(distribution.into(), fresnel.into(), shadowing.into())
     }
 }
 
@@ -179,5 +179,17 @@ where
 {
     fn from(sum: WeightedSum<M, C, T>) -> Self {
         Self::Sum(sum.map(Into::into))
+    }
+}
+
+impl<T, C, A, B> From<SumOfTwo<A, B, C, T>> for AnyBrdf<T, C>
+where
+    T: Real,
+    C: Color<T>,
+    A: Into<Self>,
+    B: Into<Self>,
+{
+    fn from(sum: SumOfTwo<A, B, C, T>) -> Self {
+        Self::Sum(sum.into_sum())
     }
 }

@@ -28,6 +28,7 @@ use crate::real::{Color, Real, Vector};
 /// assert!((scene[0].eval(Vec3::Z, Vec3::Z).x - 0.5 / std::f32::consts::PI).abs() < 1e-7);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
+#[doc(alias("BSDF", "BxDF", "reflectance", "scattering"))]
 pub trait Brdf<T: Real = f32>: Send + Sync {
     /// What a value has channels for: one wavelength, or red, green and blue.
     type Color: Color<T>;
@@ -195,18 +196,13 @@ impl<T: Real> DrawBlock<'_, T> {
         samples: &mut SampleBlock<T, C>,
         formula: impl Fn(usize) -> Sample<T, C>,
     ) {
-        self.within(
+        self.colors_and_numbers(
+            &mut samples.weight,
+            &mut samples.wi_pdf,
             #[inline(always)]
-            || {
-                C::fill(
-                    &mut samples.weight,
-                    &mut samples.wi_pdf,
-                    #[inline(always)]
-                    |index| {
-                        let Sample { wi, weight, pdf } = formula(index);
-                        (weight, [wi.x(), wi.y(), wi.z(), pdf])
-                    },
-                );
+            |index| {
+                let Sample { wi, weight, pdf } = formula(index);
+                (weight, [wi.x(), wi.y(), wi.z(), pdf])
             },
         );
     }

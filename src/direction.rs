@@ -3,6 +3,7 @@
 //! Directions are unit vectors that point away from the surface, in the shading frame where the
 //! normal is +z, or in any frame where the normal is given.
 
+use crate::error::{ParameterError, Range};
 use crate::real::{Mask, Real, Vector};
 
 /// A pair of directions above the surface and what the models need of it, computed once.
@@ -11,10 +12,11 @@ use crate::real::{Mask, Real, Vector};
 /// use brdf::Pair;
 /// use glam::Vec3;
 ///
-/// let pair = Pair::<f32>::new(Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.6, 0.0, 0.8));
+/// let pair = Pair::new(Vec3::new(0.6, 0.0, 0.8), Vec3::new(-0.6, 0.0, 0.8));
 /// assert_eq!(pair.h, Vec3::Z);
 /// assert!((pair.cos_d - 0.8).abs() < 1e-7);
 /// ```
+#[doc(alias("half vector"))]
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<T: Real> {
     /// Towards the light.
@@ -43,7 +45,10 @@ impl<T: Real> Pair<T> {
     /// The geometry of a pair of directions in the shading frame.
     #[inline(always)]
     #[must_use]
-    pub fn new(wi: T::Vec3, wo: T::Vec3) -> Self {
+    pub fn new<V: Vector<T>>(wi: V, wo: V) -> Self
+    where
+        T: Real<Vec3 = V>,
+    {
         Self::where_above(wi, wo, both_above::<T>(wi, wo))
     }
 
@@ -71,6 +76,9 @@ impl<T: Real> Pair<T> {
 /// 2⁻⁶⁰. A power of two, so that the length of such a sum has an exact reciprocal.
 const FLOOR: f64 = 1.0 / (1_u64 << 60) as f64;
 
+/// How far the squared length of a direction may lie off 1.
+const LENGTH_TOLERANCE: f64 = 0.01;
+
 /// Where `w` is a direction above the surface: its z is positive and its squared length lies
 /// within 1 % of 1. A length further off is taken for a mistake, not for a direction; one within
 /// counts as 1, and its error passes into the answers.
@@ -86,7 +94,36 @@ const FLOOR: f64 = 1.0 / (1_u64 << 60) as f64;
 #[must_use]
 pub fn above_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
     let off = Vector::length_squared(w) - T::one();
-    off.abs().le(T::lit(0.01)).and(w.z().gt(T::zero()))
+    off.abs().le(T::lit(LENGTH_TOLERANCE)).and(w.z().gt(T::zero()))
+}
+
+/// Checks that a vector is a direction: that its squared length lies within 1 % of 1.
+///
+/// What is further off is [no direction](above_surface), and every answer for it is zero: a surface
+/// that stays black is often one whose directions were not normalised. A renderer asks this in debug
+/// builds, where its directions enter.
+///
+/// ```
+/// use brdf::check_direction;
+/// use glam::Vec3;
+///
+/// let wi = Vec3::new(0.6, 0.0, 0.8);
+/// debug_assert_eq!(check_direction(wi), Ok(()));
+/// let error = check_direction(Vec3::new(0.6, 0.0, 0.81)).unwrap_err();
+/// assert!(error.to_string().starts_with("squared length must be between 0.99 and 1.01, not 1.016"));
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+///
+/// # Errors
+/// If it is not, with the squared length.
+pub fn check_direction<T: Real, V: Vector<T>>(w: V) -> Result<(), ParameterError> {
+    let length_squared = Vector::length_squared(w);
+    Range::new(-LENGTH_TOLERANCE, LENGTH_TOLERANCE)
+        .check("squared length", length_squared - T::one())
+        .or_else(|_| {
+            Range::new(1.0 - LENGTH_TOLERANCE, 1.0 + LENGTH_TOLERANCE)
+                .check("squared length", length_squared)
+        })
 }
 
 /// Where both are directions above the surface: elsewhere every answer of a model is zero.
@@ -197,13 +234,18 @@ pub fn brewster_angle<T: Real>(n1: T, n2: T) -> T {
 /// in radians.
 ///
 /// ```
+/// use glam::Vec3;
+///
 /// let w = brdf::from_spherical(0.5_f64, 0.25);
 /// let (theta, phi) = brdf::to_spherical(w);
 /// assert!((theta - 0.5).abs() < 1e-15 && (phi - 0.25).abs() < 1e-15);
+///
+/// let w: Vec3 = brdf::from_spherical(0.5, 0.25); // the vector tells that the angles are f32
+/// assert!((w.z - 0.87758256).abs() < 1e-7);
 /// ```
 #[inline(always)]
 #[must_use]
-pub fn from_spherical<T: Real>(theta: T, phi: T) -> T::Vec3 {
+pub fn from_spherical<T: Real<Vec3 = V>, V: Vector<T>>(theta: T, phi: T) -> V {
     let (sin_theta, cos_theta) = theta.sin_cos();
     let (sin_phi, cos_phi) = phi.sin_cos();
     Vector::new(sin_theta * cos_phi, sin_theta * sin_phi, cos_theta)

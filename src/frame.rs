@@ -13,6 +13,7 @@ use crate::real::{Mask, Real, Vector};
 /// assert!(local.abs_diff_eq(Vec3::Z, 1e-6));
 /// assert!(frame.to_world(local).abs_diff_eq(Vec3::new(0.0, 0.6, 0.8), 1e-6));
 /// ```
+#[doc(alias("ONB", "TBN", "tangent space"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<V> {
     tangent: V,

@@ -45,8 +45,8 @@ pub use brdf::{Brdf, Sample};
 pub use colorimetry::{Illuminant, Observer};
 pub use diffuse::{Lambert, OrenNayar};
 pub use direction::{
-    Pair, Refraction, above_surface, both_above, brewster_angle, critical_angle, from_spherical,
-    reflect, refract, to_spherical,
+    Pair, Refraction, above_surface, both_above, brewster_angle, check_direction, critical_angle,
+    from_spherical, reflect, refract, to_spherical,
 };
 pub use distribution::{
     AnyDistribution, AnyMixture, Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture,
@@ -59,10 +59,10 @@ pub use fresnel::{
 };
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
-    AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Scaled, Shadowing,
-    SmithCorrelated, SmithSeparable, VCavity,
+    AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, DefaultShadowing,
+    Scaled, Shadowing, SmithCorrelated, SmithSeparable, VCavity,
 };
 pub use parameter::Parameter;
 pub use planetary::{LommelSeeliger, Minnaert};
 pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
-pub use sum::WeightedSum;
+pub use sum::{SumOfTwo, WeightedSum};

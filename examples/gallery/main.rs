@@ -33,13 +33,10 @@ const SQUARE: &[u8] = include_bytes!("data/city_256x128.hdr");
 /// Puts the brightest clouds to the left of the viewer and the buildings behind.
 const TURN: f32 = 0.1;
 /// White balance: a little warm, as the eye would have it.
-const EXPOSURE: Vec3 = Vec3::new(0.95, 0.9, 0.72);
+const EXPOSURE: Vec3 = Vec3::new(0.475, 0.45, 0.36);
 /// A round lamp before the square, at the left above the viewer's shoulder.
-const LAMP: Lamp = Lamp {
-    towards: Vec3::new(-0.5, 0.62, 0.6),
-    radius: 0.2,
-    radiance: Vec3::new(26.0, 23.0, 18.0),
-};
+const LAMP: Lamp =
+    Lamp { towards: Vec3::new(-0.5, 0.62, 0.6), radius: 0.2, radiance: Vec3::new(13.0, 11.5, 9.0) };
 
 const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
     The square is a photographed one under an overcast sky, and the lamp is round and warm, above \

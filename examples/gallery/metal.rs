@@ -36,7 +36,7 @@ where
     F: Fresnel<f32, Color = Spectral> + 'static,
     S: Shadowing<f32, D> + 'static,
 {
-    seen(CookTorrance::new(distribution, fresnel).with_shadowing(shadowing))
+    seen(CookTorrance::from_parts(distribution, fresnel, shadowing))
 }
 
 /// A spectral model, seen by the eye.

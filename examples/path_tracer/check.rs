@@ -5,7 +5,7 @@ use std::fmt;
 
 use brdf::materials::GOLD;
 use brdf::{Brdf, Color, CookTorrance, Fresnel, Ggx, Illuminant, Lambert, Observer, Spectrum};
-use brdf::{Constant, SmithCorrelated, colorimetry};
+use brdf::{Constant, colorimetry};
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -117,7 +117,6 @@ fn gold() -> Result<(), Box<dyn Error>> {
 
 pub fn all() -> Result<(), Box<dyn Error>> {
     let mirror = CookTorrance::new(Ggx::new(0.1)?, Constant::new(WHITE * 0.9)?);
-    let mirror = mirror.with_shadowing(SmithCorrelated);
     let (paper, gray) = (Lambert::new(WHITE)?, Lambert::new(WHITE * 0.5)?);
     let plastic = Plastic::new(WHITE, 0.3, 1.5)?;
     furnace("paper", paper)?;

@@ -5,6 +5,8 @@
 //! cargo run --release --example path_tracer -- --check
 //! ```
 //!
+//! The picture of the crate's front page is `--samples 400 --out docs/gallery.jpg`.
+//!
 //! `path.rs` is the part to read beside a lecture: light is gathered by directions drawn from the
 //! lamps and by directions drawn from the surface, weighed by the power heuristic. It carries
 //! sixteen wavelengths, so that metals have the colour of their measured indices. `--check` traces

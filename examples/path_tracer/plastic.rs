@@ -39,8 +39,7 @@ impl<C: Color<f32>> Plastic<C> {
     /// # Errors
     /// If a part refuses its parameter.
     pub fn new(pigment: C, roughness: f32, index: f32) -> Result<Self, ParameterError> {
-        let facets = CookTorrance::new(Ggx::new(roughness)?, Dielectric::new(index)?);
-        let coat = facets.with_shadowing(SmithCorrelated);
+        let coat = CookTorrance::new(Ggx::new(roughness)?, Dielectric::new(index)?);
         let mut passed = [0.0; STEPS + 1];
         let mut mean_passed = 0.0;
         for (step, passed) in passed.iter_mut().enumerate() {

@@ -3,9 +3,7 @@
 use std::error::Error;
 
 use brdf::materials::{ALUMINIUM, COPPER, GOLD, Material as Measured};
-use brdf::{
-    Brdf, Conductor, CookTorrance, Ggx, Lambert, OrenNayar, ParameterError, SmithCorrelated,
-};
+use brdf::{Brdf, Conductor, CookTorrance, Ggx, Lambert, OrenNayar, ParameterError};
 use glam::Vec3;
 
 use crate::film::Camera;
@@ -26,7 +24,7 @@ pub fn camera() -> Camera {
 /// A metal, exact at each wavelength.
 fn metal(facets: Ggx, measured: &Measured) -> Result<Material, ParameterError> {
     let surface: Conductor<Spectral> = measured.conductor(wavelengths())?;
-    Ok(Box::new(CookTorrance::new(facets, surface).with_shadowing(SmithCorrelated)))
+    Ok(Box::new(CookTorrance::new(facets, surface)))
 }
 
 fn object(shape: Shape, center: [f32; 3], material: Material) -> Object {

@@ -76,6 +76,34 @@ pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
     })
 }
 
+/// [`Brdf::eval_pdf_batch`] where every element has a model of its own: see [`eval_each`].
+///
+/// # Errors
+/// If slices differ in length, or a model cannot be made.
+pub fn eval_pdf_each<T: Real, M: Brdf<T> + Copy>(
+    model: impl Fn(usize) -> Result<M, ParameterError>,
+    wi: Directions<'_, T>,
+    wo: Directions<'_, T>,
+    values: ColorBuffer<'_, T, M::Color>,
+    pdf: &mut [T],
+) -> Result<(), BatchError> {
+    let (pairs, answers) = (Pairs { wi, wo }, (values, Numbers(pdf, "pdf")));
+    let length = check(&pairs, &answers)?;
+    run(pairs, answers, &mut |pairs, start, (values, pdf)| {
+        let models = models(&model, start, length)?;
+        pairs.colors_and_numbers(
+            values,
+            array::from_mut(pdf),
+            #[inline(always)]
+            |index| {
+                let (value, pdf) = models[index].eval_pdf(pairs.wi(index), pairs.wo(index));
+                (value, [pdf])
+            },
+        );
+        Ok(())
+    })
+}
+
 /// [`Brdf::sample_batch`] where every element has a model of its own: see [`eval_each`].
 ///
 /// # Errors

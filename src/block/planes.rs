@@ -48,16 +48,25 @@ impl<'a, T: Real, const N: usize> Block<'a, T, N> {
     /// Fills colours with what a formula answers for the places of the block.
     #[inline(always)]
     pub fn colors<C: Color<T>>(&self, colors: &mut ColorBlock<T, C>, formula: impl Fn(usize) -> C) {
+        self.colors_and_numbers(
+            colors,
+            &mut [],
+            #[inline(always)]
+            |index| (formula(index), []),
+        );
+    }
+
+    /// Fills colours, and planes beside them, with what a formula answers for the places of the block.
+    #[inline(always)]
+    pub fn colors_and_numbers<C: Color<T>, const M: usize>(
+        &self,
+        colors: &mut ColorBlock<T, C>,
+        planes: &mut [Plane<T>; M],
+        formula: impl Fn(usize) -> (C, [T; M]),
+    ) {
         self.within(
             #[inline(always)]
-            || {
-                C::fill(
-                    colors,
-                    &mut [],
-                    #[inline(always)]
-                    |index| (formula(index), []),
-                );
-            },
+            || C::fill(colors, planes, formula),
         );
     }
 

@@ -52,7 +52,7 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
                 "smith_separable" => AnyShadowing::SmithSeparable,
                 _ => AnyShadowing::VCavity,
             };
-            CookTorrance::new(distribution, fresnel).with_shadowing(shadowing).into()
+            CookTorrance::from_parts(distribution, fresnel, shadowing).into()
         }
         "torrance_sparrow_1967" => {
             let (c, fresnel) = (at.number("c")?, at.part("fresnel", fresnel)?);

@@ -17,7 +17,7 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
         "metal" => metal(described.text("name")).map(drop).map_err(|problem| path.error(problem)),
         "cook_torrance" if described.word("shadowing") != "v_cavity" => {
             match described.get("distribution") {
-                Some((_, Value::Form(distribution))) if has_smith(distribution) => Ok(()),
+                Some((_, distribution)) if has_smith(distribution) => Ok(()),
                 _ => Err(path.key("shadowing").error(Problem::NoSmith)),
             }
         }
@@ -47,18 +47,16 @@ fn total(list: &Described, name: &'static str, path: &Path<'_>) -> Result<(), De
     checked.map_err(|error| path.error(Problem::Parameter(error)))
 }
 
-/// Whether Smith's shadowing is known for a distribution, as
+/// Whether a value is a distribution for which Smith's shadowing is known, as
 /// [`has_smith`](crate::AnyDistribution::has_smith) says of what is built.
-fn has_smith(distribution: &Described) -> bool {
-    match distribution.form.name() {
-        "beckmann" | "ggx" => true,
-        "mixture" => distribution.values.iter().all(|term| match term {
-            Value::Term(term) => match term.get("distribution") {
-                Some((_, Value::Form(distribution))) => has_smith(distribution),
-                _ => false,
-            },
+pub(super) fn has_smith(value: &Value) -> bool {
+    match value {
+        Value::Form(distribution) => match distribution.form.name() {
+            "beckmann" | "ggx" => true,
+            "mixture" => distribution.values.iter().all(has_smith),
             _ => false,
-        }),
+        },
+        Value::Term(term) => term.get("distribution").is_some_and(|(_, part)| has_smith(part)),
         _ => false,
     }
 }

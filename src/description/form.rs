@@ -201,7 +201,7 @@ const SHADOWING: Parameter = Parameter::new(
     "fraction of facets that light and viewer both see; Smith's is known for some distributions",
     Kind::Word(&["v_cavity", "smith", "smith_separable"]),
 )
-.or(Preset::Word("v_cavity"));
+.or(Preset::Shadowing);
 
 /// An index at 650, 550 and 450 nm. `Ta` and `Zn` are accepted although their sets are not for
 /// colour.

@@ -19,7 +19,7 @@
 //! | `{"schlick_power": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the classic lobe |
 //! | `{"minnaert": {"albedo": C, "k": k}}` | |
 //! | `{"lommel_seeliger": {"w": C, "xi": 0}}` | below 0 grains scatter back |
-//! | `{"cook_torrance": {"distribution": D, "fresnel": F, "shadowing": "v_cavity"}}` | or `"smith"` (height-correlated), `"smith_separable"`, both for Beckmann, GGX and mixtures of them |
+//! | `{"cook_torrance": {"distribution": D, "fresnel": F, "shadowing": S}}` | S is `"smith"` (height-correlated) or `"smith_separable"`, both for Beckmann, GGX and mixtures of them, or `"v_cavity"`; the default is `"smith"` where it is known and `"v_cavity"` elsewhere |
 //! | `{"torrance_sparrow_1967": {"c": c, "fresnel": F}}` | c in 1/degree |
 //! | `{"cook_torrance_1982_printed": {"roughness": R, "fresnel": F}}` | |
 //! | `{"blinn_1977_printed": {"distribution": W, "beta": b, "fresnel": F}}` | W is `"d1"`, `"d2"` or `"d3"`; beta in radians |

@@ -12,7 +12,7 @@ use serde::de::{
     VariantAccess, Visitor,
 };
 
-use super::check::check;
+use super::check::{check, has_smith};
 use super::form::{Content, Form, Room};
 use super::leaf::{AllWords, OneOrEach, Text, Word, Words};
 use super::place::{Place, Progress, Record};
@@ -130,8 +130,11 @@ impl<'de> Visitor<'de> for Keys<'_> {
             }
             *value = Some(map.next_value_seed(ValueAt(place, parameter))?);
         }
-        let given = parameters.iter().zip(values).map(|(parameter, value)| {
-            value.or_else(|| default(parameter)).ok_or_else(|| {
+        let default_of = |parameter| default(parameter, &values);
+        let defaults: Vec<_> = parameters.iter().map(default_of).collect();
+        let with_default = parameters.iter().zip(values.into_iter().zip(defaults));
+        let given = with_default.map(|(parameter, (value, default))| {
+            value.or(default).ok_or_else(|| {
                 place.key(parameter.name).note_failure();
                 A::Error::custom("this key is missing")
             })
@@ -140,16 +143,23 @@ impl<'de> Visitor<'de> for Keys<'_> {
     }
 }
 
-/// The value of a parameter that is not given.
-fn default(parameter: &Parameter) -> Option<Value> {
-    Some(match (parameter.default?, parameter.kind) {
-        (Preset::Number(number), _) => Value::Numbers(Numbers::One(number)),
-        (Preset::Flag(flag), _) => Value::Flag(flag),
-        (Preset::Word(word), Kind::Word(words)) => {
-            Value::Word(words, words.iter().position(|other| *other == word)?)
+/// The value of a parameter that is not given, beside those that are.
+fn default(parameter: &Parameter, given: &[Option<Value>]) -> Option<Value> {
+    let one_of = |word: &str| match parameter.kind {
+        Kind::Word(words) => {
+            Some(Value::Word(words, words.iter().position(|other| *other == word)?))
         }
-        (Preset::Word(_), _) => return None,
-    })
+        _ => None,
+    };
+    match parameter.default? {
+        Preset::Number(number) => Some(Value::Numbers(Numbers::One(number))),
+        Preset::Flag(flag) => Some(Value::Flag(flag)),
+        Preset::Word(word) => one_of(word),
+        Preset::Shadowing => {
+            let smith = given.iter().flatten().any(has_smith);
+            one_of(if smith { "smith" } else { "v_cavity" })
+        }
+    }
 }
 
 /// Reads the value of a parameter.

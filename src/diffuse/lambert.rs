@@ -34,6 +34,7 @@ model! {
     /// assert_eq!(paper.albedo(DVec3::Z).z, 0.7);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
+    #[doc(alias("diffuse"))]
     pub struct Lambert<C = glam::Vec3>;
 
     /// A diffuse surface of the given albedo.

@@ -36,6 +36,7 @@ model! {
     /// assert!((blinn.density(DVec3::Z) - 1.9098593171).abs() < 1e-10); // (n + 2)/(2π)
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
+    #[doc(alias("Blinn-Phong"))]
     pub struct Blinn<T = f32>;
 
     /// The distribution with the given exponent.

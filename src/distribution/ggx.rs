@@ -43,6 +43,7 @@ model! {
     /// assert!((ggx.density(DVec3::Z) - 1.2732395447).abs() < 1e-10); // 1/(π α²)
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
+    #[doc(alias("Trowbridge-Reitz", "TrowbridgeReitz", "TR", "GTR2"))]
     pub struct Ggx<T = f32>;
 }
 

@@ -11,6 +11,7 @@ mod ggx;
 mod mixture;
 mod normal_slopes;
 mod roughness;
+mod scales;
 mod traits;
 
 pub use any::{AnyDistribution, AnyMixture};
@@ -21,4 +22,5 @@ pub use blinn_1977::Blinn1977;
 pub use gaussian::Gaussian;
 pub use ggx::Ggx;
 pub use mixture::Mixture;
+pub use scales::{alpha_of_pbrt_roughness, alpha_of_perceptual_roughness};
 pub use traits::{Distribution, Smith};

@@ -13,6 +13,7 @@ use crate::real::{Real, Vector};
 ///
 /// D(h) is the same for `h` and its mirror image across the normal, (−h_x, −h_y, h_z). The trait is
 /// object safe.
+#[doc(alias("NDF", "normal distribution function", "microfacet distribution"))]
 pub trait Distribution<T: Real = f32>: Send + Sync {
     /// D(h) for a unit `h`; zero where `h` lies below the surface. Finite and never negative for
     /// any finite `h`.
@@ -85,6 +86,7 @@ fn components<T: Real>(h: T::Vec3) -> [T; 4] {
 }
 
 /// A distribution for which Smith's shadowing is known in closed form.
+#[doc(alias("Lambda"))]
 pub trait Smith<T: Real = f32>: Distribution<T> {
     /// Λ(w) cosθ of a direction above the surface: what Smith's Λ (the ratio of hidden to visible
     /// projected facet area) becomes when multiplied by N·w. Stays finite at grazing.
@@ -101,6 +103,7 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     /// from two uniform numbers in [0, 1), taken as by [`Brdf::sample`](crate::Brdf::sample). It is
     /// a unit vector that does not lie below the surface. A `wo` that is no direction above the
     /// surface counts as the normal.
+    #[doc(alias("VNDF", "visible normals"))]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 
     /// [`projected_area`](Self::projected_area) for a block of directions.

@@ -58,6 +58,7 @@ model! {
     /// assert!(gold.reflectance(0.0).abs_diff_eq(DVec3::ONE, 1e-15));
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
+    #[doc(alias("metal", "complex IOR"))]
     pub struct Conductor<C = glam::Vec3>;
 
     /// A medium of the given complex relative index n + ik, per channel.

@@ -51,6 +51,7 @@ model! {
     /// assert!((glass.average() - 0.0917779593).abs() < 1e-10);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
+    #[doc(alias("IOR", "glass", "refractive index"))]
     pub struct Dielectric<C = glam::Vec3>;
 
     /// A transparent medium of the given relative index of refraction, per channel.

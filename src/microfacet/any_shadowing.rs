@@ -15,13 +15,13 @@ use crate::real::{Real, call, lift};
 /// ([`AnyDistribution::has_smith`] is false) they are the V-cavities, which suit all.
 ///
 /// ```
-/// use brdf::{AnyDistribution, AnyShadowing, Brdf, CookTorrance, Ggx, Schlick, SmithCorrelated};
+/// use brdf::{AnyDistribution, AnyShadowing, Brdf, CookTorrance, Ggx, Schlick};
 /// use glam::Vec3;
 ///
 /// let (ggx, plastic) = (Ggx::new(0.3)?, Schlick::new(Vec3::splat(0.04))?);
-/// let any = CookTorrance::new(AnyDistribution::from(ggx), plastic)
-///     .with_shadowing(AnyShadowing::SmithCorrelated);
-/// let known = CookTorrance::new(ggx, plastic).with_shadowing(SmithCorrelated);
+/// let any = CookTorrance::new(AnyDistribution::from(ggx), plastic);
+/// assert_eq!(any.shadowing(), &AnyShadowing::SmithCorrelated);
+/// let known = CookTorrance::new(ggx, plastic);
 /// assert_eq!(any.eval(Vec3::Z, Vec3::Z), known.eval(Vec3::Z, Vec3::Z));
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
@@ -29,9 +29,9 @@ use crate::real::{Real, call, lift};
 #[non_exhaustive]
 pub enum AnyShadowing {
     /// [`VCavity`].
-    #[default]
     VCavity,
     /// [`SmithCorrelated`].
+    #[default]
     SmithCorrelated,
     /// [`SmithSeparable`].
     SmithSeparable,

@@ -1,5 +1,6 @@
 use super::shadowing::{Draw, Mirrored, Shadowing};
-use super::v_cavity::VCavity;
+use super::smith::SmithCorrelated;
+use super::usual::DefaultShadowing;
 use crate::block::{BLOCK, ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::distribution::Distribution;
@@ -19,7 +20,7 @@ use crate::real::{Lift, Real, lift};
 /// |---|---|---|
 /// | D | `distribution` | density of the facets' normals, normalised to ∫ D cosθ_h dω = 1 |
 /// | F | `fresnel` | reflectance of a facet |
-/// | G | `shadowing` | fraction of facets that light and viewer both see: [`VCavity`] if nothing else is said, [`SmithCorrelated`](crate::SmithCorrelated), [`SmithSeparable`](crate::SmithSeparable) |
+/// | G | `shadowing` | fraction of facets that light and viewer both see: [`SmithCorrelated`], [`SmithSeparable`](crate::SmithSeparable) or [`VCavity`](crate::VCavity); [by default](DefaultShadowing) the first where it is known of D, the last elsewhere |
 ///
 /// # Energy
 /// Reciprocal, to the last bit. Conserving: with F = 1 the directional albedo is at most 1; what
@@ -63,32 +64,52 @@ use crate::real::{Lift, Real, lift};
 /// assert!((f.x - 0.851106).abs() < 1e-5); // F D/4 = 0.962586 · 3.536777/4
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
+#[doc(alias("microfacet", "rough conductor", "Torrance-Sparrow"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CookTorrance<D, F, S = VCavity> {
+pub struct CookTorrance<D, F, S = SmithCorrelated> {
     distribution: D,
     fresnel: F,
     shadowing: S,
 }
 
-impl<D, F> CookTorrance<D, F> {
-    /// A surface with these normals and this reflectance, with V-cavity shadowing.
+impl<D: DefaultShadowing, F> CookTorrance<D, F, D::Shadowing> {
+    /// A surface with these normals and this reflectance.
+    ///
+    /// Its shadowing is Smith's, correlated by height, where that is known: for
+    /// [`Beckmann`](crate::Beckmann), [`Ggx`](crate::Ggx) and mixtures of them. For other
+    /// distributions it is that of V-cavities.
+    ///
+    /// ```
+    /// use brdf::{Brdf, Constant, CookTorrance, Ggx};
+    /// use glam::DVec3;
+    ///
+    /// let mirrors = CookTorrance::new(Ggx::new(1.0)?, Constant::new(DVec3::ONE)?);
+    /// let lost = 1.0 - mirrors.albedo(DVec3::Z).x;
+    /// assert!((lost - 2.0_f64.ln()).abs() < 1e-3);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
     #[must_use]
-    pub const fn new(distribution: D, fresnel: F) -> Self {
-        Self { distribution, fresnel, shadowing: VCavity }
+    pub fn new(distribution: D, fresnel: F) -> Self {
+        Self::from_parts(distribution, fresnel, D::Shadowing::default())
     }
 }
 
 impl<D, F, S> CookTorrance<D, F, S> {
+    /// A surface with these normals, this reflectance and this shadowing.
+    #[must_use]
+    pub const fn from_parts(distribution: D, fresnel: F, shadowing: S) -> Self {
+        Self { distribution, fresnel, shadowing }
+    }
+
     /// The same surface with another shadowing.
     ///
     /// ```
-    /// use brdf::{Brdf, Constant, CookTorrance, Ggx, SmithCorrelated};
+    /// use brdf::{Brdf, Constant, CookTorrance, Ggx, VCavity};
     /// use glam::DVec3;
     ///
-    /// let mirrors = CookTorrance::new(Ggx::new(1.0)?, Constant::new(DVec3::ONE)?)
-    ///     .with_shadowing(SmithCorrelated);
-    /// let lost = 1.0 - mirrors.albedo(DVec3::Z).x;
-    /// assert!((lost - 2.0_f64.ln()).abs() < 1e-3);
+    /// let smith = CookTorrance::new(Ggx::new(0.8)?, Constant::new(DVec3::ONE)?);
+    /// let cavities = smith.with_shadowing(VCavity);
+    /// assert!(cavities.albedo(DVec3::Z).x > smith.albedo(DVec3::Z).x);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     #[must_use]
@@ -111,6 +132,12 @@ impl<D, F, S> CookTorrance<D, F, S> {
     #[must_use]
     pub const fn fresnel(&self) -> &F {
         &self.fresnel
+    }
+
+    /// The shadowing.
+    #[must_use]
+    pub const fn shadowing(&self) -> &S {
+        &self.shadowing
     }
 }
 

@@ -4,13 +4,14 @@ use core::f64::consts::PI;
 
 use super::cook_torrance::CookTorrance;
 use super::scaled::Scaled;
+use super::v_cavity::VCavity;
 use crate::brdf::Brdf;
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx};
 use crate::error::{ParameterError, range};
 use crate::fresnel::Fresnel;
 use crate::real::{Real, Vector};
 
-impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
+impl<F, T: Real> CookTorrance<Gaussian<T>, F, VCavity> {
     /// The model of Torrance and Sparrow: D = b exp(−c²θ_h²) with the tilt θ_h in degrees, and V-cavity
     /// shadowing.
     ///
@@ -70,13 +71,13 @@ impl<F, T: Real> CookTorrance<Gaussian<T>, F> {
 /// assert!((f - 0.04 / (std::f64::consts::PI * 0.09)).abs() < 1e-12);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
-pub type CookTorrance1982Printed<F, T = f32> = Scaled<CookTorrance<Beckmann<T>, F>, T>;
+pub type CookTorrance1982Printed<F, T = f32> = Scaled<CookTorrance<Beckmann<T>, F, VCavity>, T>;
 
 impl<F, T: Real> CookTorrance1982Printed<F, T> {
     /// A surface with these normals and this reflectance.
     #[must_use]
     pub fn new(distribution: Beckmann<T>, fresnel: F) -> Self {
-        Self::of(CookTorrance::new(distribution, fresnel), T::lit(4.0))
+        Self::of(CookTorrance::from_parts(distribution, fresnel, VCavity), T::lit(4.0))
     }
 }
 
@@ -119,7 +120,7 @@ impl<F, T: Real> CookTorrance1982Printed<F, T> {
 /// assert!((s - 0.04).abs() < 1e-12);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
-pub type Blinn1977Printed<D, F, T = f32> = Scaled<CookTorrance<D, F>, T>;
+pub type Blinn1977Printed<D, F, T = f32> = Scaled<CookTorrance<D, F, VCavity>, T>;
 
 impl<F, T: Real> Blinn1977Printed<Blinn<T>, F, T> {
     /// With D₁, Phong's lobe around the half vector.
@@ -160,7 +161,7 @@ where
     fn with_maximum_1(distribution: D, fresnel: F) -> Self {
         let normal = Vector::new(T::zero(), T::zero(), T::one());
         let scale = T::lit(4.0) / distribution.density(normal);
-        Self::of(CookTorrance::new(distribution, fresnel), scale)
+        Self::of(CookTorrance::from_parts(distribution, fresnel, VCavity), scale)
     }
 
     /// The printed s = D G F/(N·E): reflected intensity for light of intensity 1 from `wi`. It is

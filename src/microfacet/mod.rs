@@ -8,6 +8,7 @@ mod mixture_block;
 mod scaled;
 mod shadowing;
 mod smith;
+mod usual;
 mod v_cavity;
 
 pub use any_shadowing::AnyShadowing;
@@ -16,4 +17,5 @@ pub use historical::{Blinn1977Printed, CookTorrance1982Printed};
 pub use scaled::Scaled;
 pub use shadowing::Shadowing;
 pub use smith::{SmithCorrelated, SmithSeparable};
+pub use usual::DefaultShadowing;
 pub use v_cavity::VCavity;

@@ -17,6 +17,7 @@ use crate::real::{Mask, Real, Vector, in_place};
 /// hidden from `w` alone. Every answer is one quantity without a quotient of two vanishing ones,
 /// finite also where the cosines and G go to zero together. The geometry of a [`Pair`] must have
 /// `wo` above the surface; [`masking`](Self::masking) does not ask where `wi` is.
+#[doc(alias("geometry term", "masking-shadowing", "G"))]
 pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     /// G(wi, wo, h) / (4 (N·wi) (N·wo)): times D and F it is the BRDF.
     fn visibility(&self, distribution: &D, pair: &Pair<T>) -> T;
@@ -28,6 +29,30 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     /// G(wi, wo, h) / G₁(wo, h), in 0 … 1: of the facets that the viewer sees, the fraction that
     /// the light reaches. Times F it is the weight of a sample.
     fn unshadowed(&self, distribution: &D, pair: &Pair<T>) -> T;
+
+    /// G(wi, wo, h) itself, in 0 … 1: zero where either direction lies below the surface.
+    ///
+    /// ```
+    /// use brdf::{Beckmann, Pair, Shadowing, SmithCorrelated, VCavity};
+    /// use glam::DVec3;
+    ///
+    /// let (beckmann, pair) = (Beckmann::new(0.3)?, Pair::new(DVec3::Z, DVec3::new(0.6, 0.0, 0.8)));
+    /// assert_eq!(VCavity.g(&beckmann, &pair), 1.0);
+    /// assert!((SmithCorrelated.g(&beckmann, &pair) - 0.99980).abs() < 1e-5);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    #[inline(always)]
+    fn g(&self, distribution: &D, pair: &Pair<T>) -> T {
+        let g = T::lit(4.0) * pair.cos_i * pair.cos_o * self.visibility(distribution, pair);
+        g.min(T::one()).only_where(pair.above)
+    }
+
+    /// G₁(wo, h) itself, in 0 … 1: zero where the viewer lies below the surface.
+    #[inline(always)]
+    fn g1(&self, distribution: &D, pair: &Pair<T>) -> T {
+        let g1 = T::lit(4.0) * pair.cos_o * self.masking(distribution, pair);
+        g1.min(T::one()).only_where(above_surface::<T, _>(pair.wo))
+    }
 
     /// Draws `h` with the density of the normals visible from `wo`, G₁(wo, h) (wo·h)₊ D(h) / (N·wo).
     /// A `wo` that is no direction above the surface counts as the normal. The uniform numbers are

@@ -41,6 +41,7 @@ use crate::real::{Real, lift};
 /// assert!((g - 0.824802340778).abs() < 1e-12);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
+#[doc(alias("height-correlated"))]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SmithCorrelated;
 

@@ -74,6 +74,9 @@ pub enum Preset {
     Flag(bool),
     /// Of a word.
     Word(&'static str),
+    /// Of a shadowing: `smith` for a distribution for which Smith's term is known, `v_cavity` for
+    /// any other.
+    Shadowing,
 }
 
 impl Parameter {

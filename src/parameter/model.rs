@@ -111,7 +111,17 @@ macro_rules! model {
     (@kind Roughness) => { $crate::parameter::Kind::Roughness };
 
     // Where a trait has a method of that name, which is the model's, there is no getter.
-    (@getter albedo $type:ident $meaning:literal) => {};
+    // `albedo` is what a model answers for a direction.
+    (@getter albedo $type:ident $meaning:literal) => {
+        #[doc = concat!("The parameter `albedo`, ρ: ", $meaning, ".")]
+        #[must_use]
+        pub fn rho(&self) -> $type
+        where
+            $type: Copy,
+        {
+            self.albedo
+        }
+    };
     (@getter reflectance $type:ident $meaning:literal) => {};
     (@getter $parameter:ident Roughness $meaning:literal) => {
         #[doc = concat!("The parameter `", stringify!($parameter), "`: ", $meaning, ".")]

@@ -7,7 +7,8 @@ use brdf::{
     Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong, Color, Conductor,
     Constant, Cook, CookTorrance, CookTorrance1982Printed, Dielectric, Distribution, Fresnel,
     Gaussian, GeneralSchlick, Ggx, Hall, Lambert, Mixture, OrenNayar, ParameterError, Phong, Real,
-    Schlick, SchlickPower, SmithCorrelated, SmithSeparable, Vector, WeightedSum, from_spherical,
+    Schlick, SchlickPower, SmithCorrelated, SmithSeparable, VCavity, Vector, WeightedSum,
+    from_spherical,
 };
 
 /// Pairs of directions: over all the hemisphere, mirrored, at grazing, and below.
@@ -324,7 +325,7 @@ where
     };
     let (dielectric, schlick) = (r#"{"dielectric": {"ior": 1.5}}"#, r#"{"schlick": {"f0": 0.04}}"#);
     let ggx = Ggx::anisotropic(lit(0.2), lit(0.5))?;
-    let surface = CookTorrance::new(ggx, glass()?);
+    let surface = CookTorrance::from_parts(ggx, glass()?, VCavity);
     let text = r#"{"ggx": {"roughness": [0.2, 0.5]}}"#;
     same_model::<T>(&model(text, dielectric, "v_cavity"), surface);
     same_model::<T>(&model(text, dielectric, "smith"), surface.with_shadowing(SmithCorrelated));
@@ -332,7 +333,8 @@ where
         &model(text, dielectric, "smith_separable"),
         surface.with_shadowing(SmithSeparable),
     );
-    let surface = CookTorrance::new(Beckmann::new(lit(0.3))?, Schlick::new(gray::<T>(0.04))?);
+    let (beckmann, schlick_term) = (Beckmann::new(lit(0.3))?, Schlick::new(gray::<T>(0.04))?);
+    let surface = CookTorrance::from_parts(beckmann, schlick_term, VCavity);
     let text = r#"{"beckmann": {"roughness": 0.3}}"#;
     same_model::<T>(&model(text, schlick, "v_cavity"), surface);
     same_model::<T>(&model(text, schlick, "smith"), surface.with_shadowing(SmithCorrelated));
@@ -348,9 +350,10 @@ where
         &model(r#"{"blinn": {"exponent": 30}}"#, dielectric, "v_cavity"),
         CookTorrance::new(Blinn::new(lit(30.0))?, glass()?),
     );
-    let mixture = CookTorrance::new(
+    let mixture = CookTorrance::from_parts(
         Mixture::new([(lit(0.4), Beckmann::new(lit(0.2))?), (lit(0.6), Beckmann::new(lit(0.5))?)])?,
         glass()?,
+        VCavity,
     );
     let text = r#"{"mixture": [{"weight": 0.4, "distribution": {"beckmann": {"roughness": 0.2}}},
                                {"weight": 0.6, "distribution": {"beckmann": {"roughness": 0.5}}}]}"#;
@@ -360,6 +363,15 @@ where
         &model(text, dielectric, "smith_separable"),
         mixture.with_shadowing(SmithSeparable),
     );
+    for (text, smith) in [(text, true), (r#"{"blinn": {"exponent": 30}}"#, false)] {
+        let by_default =
+            format!(r#"{{"cook_torrance": {{"distribution": {text}, "fresnel": {dielectric}}}}}"#);
+        if smith {
+            same_model::<T>(&by_default, mixture.with_shadowing(SmithCorrelated));
+        } else {
+            same_model::<T>(&by_default, CookTorrance::new(Blinn::new(lit(30.0))?, glass()?));
+        }
+    }
     same_model::<T>(
         r#"{"torrance_sparrow_1967": {"c": 0.05, "fresnel": {"dielectric": {"ior": 1.5}}}}"#,
         CookTorrance::torrance_sparrow_1967(lit(0.05), glass()?)?,

@@ -129,8 +129,12 @@ fn absent_keys_have_their_defaults() {
             r#"{"torrance_sparrow_1967":{"c":1,"fresnel":{"schlick":{"f0":1,"f90":1,"exponent":5}}}}"#,
         ),
         (
-            r#"{"cook_torrance":{"distribution":{"ggx":{"roughness":1}},"fresnel":{"hall":{"f0":1}}}}"#,
-            r#"{"cook_torrance":{"distribution":{"ggx":{"roughness":1}},"fresnel":{"hall":{"f0":1,"ior":1.5}},"shadowing":"v_cavity"}}"#,
+            r#"{"cook_torrance":{"distribution":{"blinn":{"exponent":9}},"fresnel":{"constant":1}}}"#,
+            r#"{"cook_torrance":{"distribution":{"blinn":{"exponent":9}},"fresnel":{"constant":1},"shadowing":"v_cavity"}}"#,
+        ),
+        (
+            r#"{"cook_torrance":{"fresnel":{"hall":{"f0":1}},"distribution":{"ggx":{"roughness":1}}}}"#,
+            r#"{"cook_torrance":{"distribution":{"ggx":{"roughness":1}},"fresnel":{"hall":{"f0":1,"ior":1.5}},"shadowing":"smith"}}"#,
         ),
     ] {
         let read = |text| serde_json::from_str::<BrdfDescription>(text).expect(text);

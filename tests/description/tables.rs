@@ -235,6 +235,8 @@ fn every_key_is_given_once_or_has_its_default() {
                     Preset::Number(number) => json!(number),
                     Preset::Flag(flag) => json!(flag),
                     Preset::Word(word) => json!(word),
+                    // The distribution of the example is the first form, Gaussian.
+                    Preset::Shadowing => json!("v_cavity"),
                     other => panic!("{other:?} is new"),
                 };
                 assert_eq!(attempt(part, &without), attempt(part, &changed(form, index, value)));

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use brdf::{
-    Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong, Conductor,
-    Constant, Cook, CookTorrance, Dielectric, Distribution, Fresnel, Gaussian, Ggx, Hall, Lambert,
-    Mixture, Pair, Phong, Schlick, SchlickPower, Shadowing, Smith, SmithCorrelated, SmithSeparable,
-    VCavity, WeightedSum, fresnel::normal_incidence, from_spherical,
+    AnyBrdf, Beckmann, Blinn, Blinn1977, Blinn1977Printed, BlinnPhong, Brdf, ClassicPhong,
+    Conductor, Constant, Cook, CookTorrance, Dielectric, Distribution, Fresnel, Gaussian, Ggx,
+    Hall, Lambert, Mixture, OrenNayar, Pair, Phong, Schlick, SchlickPower, Shadowing, Smith,
+    SmithCorrelated, SmithSeparable, SumOfTwo, VCavity, WeightedSum, fresnel::normal_incidence,
+    from_spherical,
 };
 use glam::DVec3;
 
@@ -108,11 +109,39 @@ fn sums_and_mixtures_of_the_same_are_the_same() {
     let (narrow, wide) = (Beckmann::new(0.1).unwrap(), Beckmann::new(0.5).unwrap());
     let mixed = Mixture::new([(0.25, narrow), (0.75, wide)]).unwrap();
     let sum = WeightedSum::new([
-        (0.25, CookTorrance::new(narrow, white)),
-        (0.75, CookTorrance::new(wide, white)),
+        (0.25, CookTorrance::from_parts(narrow, white, VCavity)),
+        (0.75, CookTorrance::from_parts(wide, white, VCavity)),
     ]);
-    let mixed = CookTorrance::new(mixed, white);
+    let mixed = CookTorrance::from_parts(mixed, white, VCavity);
     assert_same("a mixture in V-cavities", &mixed, &sum.unwrap(), 8.0 * ULP);
+}
+
+/// A sum of known types is the sum in a list, call by call and block by block.
+#[test]
+fn a_sum_of_two_is_the_sum_of_a_list() {
+    let coat = CookTorrance::new(Ggx::new(0.2).unwrap(), Schlick::new(0.04).unwrap());
+    let base = Lambert::new(0.7).unwrap();
+    let dust = OrenNayar::new(0.5, 0.4).unwrap();
+    for (base_weight, coat_weight) in [(0.9, 0.1), (0.5, 0.5), (0.0, 1.0), (1.0, 0.0)] {
+        let two = SumOfTwo::new((base_weight, base), (coat_weight, coat)).unwrap();
+        let terms: [(f64, Model); 2] =
+            [(base_weight, Box::new(base)), (coat_weight, Box::new(coat))];
+        let list = WeightedSum::new(terms).unwrap();
+        assert_same("a sum of two", &two, &list, 0.0);
+        assert_eq!(two.albedo(DVec3::Z), list.albedo(DVec3::Z));
+        let any: AnyBrdf<f64, f64> = two.into();
+        assert_same("any sum of two", &any, &list, 0.0);
+
+        let three = SumOfTwo::new((0.8, two), (0.2, dust)).unwrap();
+        let (wi, wo): (Vec<_>, Vec<_>) = pairs_to_grazing(300).into_iter().unzip();
+        let (mut values, mut pdf) = (vec![0.0; wi.len()], vec![0.0; wi.len()]);
+        three.eval_pdf_batch((&wi).into(), (&wo).into(), (&mut values).into(), &mut pdf).unwrap();
+        for (index, (wi, wo)) in wi.into_iter().zip(wo).enumerate() {
+            assert_eq!((values[index], pdf[index]), three.eval_pdf(wi, wo));
+        }
+    }
+    assert!(SumOfTwo::new((0.0, base), (0.0, coat)).is_err());
+    assert!(SumOfTwo::new((-1.0, base), (1.0, coat)).is_err());
 }
 
 #[test]
@@ -138,7 +167,7 @@ fn equal_roughness_along_both_axes_is_isotropic() {
 #[test]
 fn constant_distributions_are_the_same() {
     let white = Constant::new(1.0).unwrap();
-    let ggx = CookTorrance::new(Ggx::new(1.0).unwrap(), white);
+    let ggx = CookTorrance::from_parts(Ggx::new(1.0).unwrap(), white, VCavity);
     let blinn = CookTorrance::new(Blinn::new(0.0).unwrap(), white);
     assert_same("GGX 1, Blinn 0", &ggx, &blinn, 8.0 * ULP);
     // exp(−α²/m²) is 1 but for (π/2)²/10⁸.
@@ -159,15 +188,15 @@ fn blinns_distributions_are_the_modern_ones() {
         }
     };
     let blinn = Blinn::new(printed.c1()).unwrap();
-    let modern = CookTorrance::new(blinn, gold);
+    let modern = CookTorrance::from_parts(blinn, gold, VCavity);
     let old = Blinn1977Printed::d1(printed, gold).unwrap();
     check("D₁", &old, &modern, blinn.density(DVec3::Z));
     let gaussian = Gaussian::new(1.0 / printed.c2()).unwrap();
-    let modern = CookTorrance::new(gaussian, gold);
+    let modern = CookTorrance::from_parts(gaussian, gold, VCavity);
     let old = Blinn1977Printed::d2(printed, gold).unwrap();
     check("D₂", &old, &modern, gaussian.density(DVec3::Z));
     let ggx = Ggx::new(printed.c3()).unwrap();
-    let modern = CookTorrance::new(ggx, gold);
+    let modern = CookTorrance::from_parts(ggx, gold, VCavity);
     let old = Blinn1977Printed::d3(printed, gold).unwrap();
     check("D₃", &old, &modern, ggx.density(DVec3::Z));
     for step in 0..90 {
@@ -243,8 +272,8 @@ fn reflectances_reduce_to_each_other() {
 fn without_roughness_the_reflectance_remains() {
     let gold = Conductor::new(0.43, 2.455).unwrap();
     for roughness in [1e-6, 1e-4] {
-        let ggx = CookTorrance::new(Ggx::new(roughness).unwrap(), gold);
-        let beckmann = CookTorrance::new(Beckmann::new(roughness).unwrap(), gold);
+        let ggx = CookTorrance::from_parts(Ggx::new(roughness).unwrap(), gold, VCavity);
+        let beckmann = CookTorrance::from_parts(Beckmann::new(roughness).unwrap(), gold, VCavity);
         let gaussian = CookTorrance::new(Gaussian::new(roughness).unwrap(), gold);
         for degrees in [0.0_f64, 30.0, 60.0, 80.0] {
             let wo = from_spherical(degrees.to_radians(), 0.4);

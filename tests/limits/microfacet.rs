@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use brdf::quadrature::integrate;
 use brdf::{
     Beckmann, Blinn1977, Blinn1977Printed, Brdf, Constant, CookTorrance, CookTorrance1982Printed,
-    Gaussian, Ggx, Mixture, SmithCorrelated, SmithSeparable, from_spherical, reflect,
+    Gaussian, Ggx, Mixture, SmithCorrelated, SmithSeparable, VCavity, from_spherical, reflect,
 };
 use glam::{DVec3, Vec3};
 use rand::{RngExt, SeedableRng};
@@ -63,8 +63,8 @@ fn exact_albedo(
 
 /// Every shadowing with every distribution that has one, for one roughness.
 fn models(roughness: f64) -> Vec<(String, Model)> {
-    let beckmann = CookTorrance::new(Beckmann::new(roughness).unwrap(), white());
-    let ggx = CookTorrance::new(Ggx::new(roughness).unwrap(), white());
+    let beckmann = CookTorrance::from_parts(Beckmann::new(roughness).unwrap(), white(), VCavity);
+    let ggx = CookTorrance::from_parts(Ggx::new(roughness).unwrap(), white(), VCavity);
     let gaussian = CookTorrance::new(Gaussian::new(roughness).unwrap(), white());
     let models: Vec<(&str, Model)> = vec![
         ("Beckmann, V-cavity", Box::new(beckmann)),
@@ -105,8 +105,9 @@ fn albedo_has_the_published_values() {
             assert!((got - want).abs() < 6e-4, "{roughness} {degrees}°: {got}, not {want}");
         }
     };
-    let beckmann = |roughness| CookTorrance::new(Beckmann::new(roughness).unwrap(), white());
-    let ggx = |roughness| CookTorrance::new(Ggx::new(roughness).unwrap(), white());
+    let beckmann =
+        |roughness| CookTorrance::from_parts(Beckmann::new(roughness).unwrap(), white(), VCavity);
+    let ggx = |roughness| CookTorrance::from_parts(Ggx::new(roughness).unwrap(), white(), VCavity);
     let gaussian = CookTorrance::new(Gaussian::new(0.8).unwrap(), white());
     close(&beckmann(0.1), 0.1, [1.000, 0.999, 0.942, 0.998]);
     close(&beckmann(0.3), 0.3, [0.996, 0.925, 0.945, 0.999]);
@@ -130,7 +131,7 @@ fn the_constants_of_1982_are_four_times_too_bright() {
     let albedo = exact_albedo(&printed, DVec3::Z, 0.1, 6);
     assert!((albedo - 4.0).abs() < 1e-9, "{albedo}");
     assert!((printed.albedo(DVec3::Z) - 4.0).abs() < 1e-9);
-    let modern = CookTorrance::new(Beckmann::new(0.1).unwrap(), white());
+    let modern = CookTorrance::from_parts(Beckmann::new(0.1).unwrap(), white(), VCavity);
     for (wi, wo) in pairs(1000) {
         assert_eq!(printed.eval(wi, wo), 4.0 * modern.eval(wi, wo));
         assert_eq!(printed.pdf(wi, wo), modern.pdf(wi, wo));
@@ -219,14 +220,16 @@ fn without_roughness_a_mirror_remains() {
 
 #[test]
 fn samples_follow_the_density() {
-    let beckmann = CookTorrance::new(Beckmann::new(0.3).unwrap(), white());
-    let ggx = CookTorrance::new(Ggx::new(0.5).unwrap(), white());
+    let beckmann = CookTorrance::from_parts(Beckmann::new(0.3).unwrap(), white(), VCavity);
+    let ggx = CookTorrance::from_parts(Ggx::new(0.5).unwrap(), white(), VCavity);
     let gaussian = CookTorrance::new(Gaussian::new(0.4).unwrap(), white());
-    let grained_beckmann = CookTorrance::new(Beckmann::anisotropic(0.2, 0.7).unwrap(), white());
-    let grained_ggx = CookTorrance::new(Ggx::anisotropic(0.6, 0.2).unwrap(), white());
+    let grained_beckmann =
+        CookTorrance::from_parts(Beckmann::anisotropic(0.2, 0.7).unwrap(), white(), VCavity);
+    let grained_ggx =
+        CookTorrance::from_parts(Ggx::anisotropic(0.6, 0.2).unwrap(), white(), VCavity);
     let grained = |x, y| Beckmann::anisotropic(x, y).unwrap();
     let mixture = Mixture::new([(0.3, grained(0.15, 0.6)), (0.7, grained(0.5, 0.3))]).unwrap();
-    let mixture = CookTorrance::new(mixture, white());
+    let mixture = CookTorrance::from_parts(mixture, white(), VCavity);
     for (theta, phi) in [(0.0, 0.0), (0.7, 0.5), (1.2, 2.0), (1.5, -1.0)] {
         let wo = from_spherical(theta, phi);
         let check = |name: &str, model: &dyn Brdf<f64, Color = f64>| {
@@ -257,8 +260,9 @@ macro_rules! sound {
             let fine = |value: $float| value.is_finite() && value >= 0.0;
             for roughness in [1e-8, 1e-4, 0.03, 1.0, 30.0, 1e4] {
                 let white: Constant<$float> = Constant::new(1.0).unwrap();
-                let beckmann = CookTorrance::new(Beckmann::new(roughness).unwrap(), white);
-                let ggx = CookTorrance::new(Ggx::new(roughness).unwrap(), white);
+                let beckmann =
+                    CookTorrance::from_parts(Beckmann::new(roughness).unwrap(), white, VCavity);
+                let ggx = CookTorrance::from_parts(Ggx::new(roughness).unwrap(), white, VCavity);
                 let gaussian = CookTorrance::new(Gaussian::new(roughness).unwrap(), white);
                 let models: [Box<dyn Brdf<$float, Color = $float>>; 7] = [
                     Box::new(beckmann),
@@ -304,9 +308,11 @@ sound!(every_answer_is_finite_in_f32, f32, Vec3);
 /// Types are inferred from the colour.
 #[test]
 fn a_color_of_glam_decides_the_number() -> Result<(), brdf::ParameterError> {
-    let gold = CookTorrance::new(Beckmann::new(0.3)?, Constant::new(Vec3::splat(0.5))?);
+    let gold =
+        CookTorrance::from_parts(Beckmann::new(0.3)?, Constant::new(Vec3::splat(0.5))?, VCavity);
     let f = gold.eval(Vec3::Z, Vec3::Z);
-    let precise = CookTorrance::new(Beckmann::new(0.3)?, Constant::new(DVec3::splat(0.5))?);
+    let precise =
+        CookTorrance::from_parts(Beckmann::new(0.3)?, Constant::new(DVec3::splat(0.5))?, VCavity);
     assert!((f.as_dvec3() - precise.eval(DVec3::Z, DVec3::Z)).length() < 1e-6);
     let scene: Vec<Box<dyn Brdf<Color = Vec3>>> = vec![Box::new(gold)];
     assert_eq!(scene[0].eval(Vec3::Z, Vec3::Z), f);

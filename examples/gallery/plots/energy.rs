@@ -97,9 +97,12 @@ pub(super) fn conserving() -> Result<Figure, Box<dyn Error>> {
         ("Schlick's power, h = 10", Box::new(SchlickPower::new(1.0, 10.0)?)),
     ];
     let m = 0.5;
-    let beckmann =
-        || -> Result<_, Box<dyn Error>> { Ok(CookTorrance::new(Beckmann::new(m)?, white()?)) };
-    let ggx = || -> Result<_, Box<dyn Error>> { Ok(CookTorrance::new(Ggx::new(m)?, white()?)) };
+    let beckmann = || -> Result<_, Box<dyn Error>> {
+        Ok(CookTorrance::from_parts(Beckmann::new(m)?, white()?, VCavity))
+    };
+    let ggx = || -> Result<_, Box<dyn Error>> {
+        Ok(CookTorrance::from_parts(Ggx::new(m)?, white()?, VCavity))
+    };
     let facets: [(&str, Model); 7] = [
         ("Beckmann, V-cavity", Box::new(beckmann()?.with_shadowing(VCavity))),
         ("Beckmann, Smith correlated", Box::new(beckmann()?.with_shadowing(SmithCorrelated))),

@@ -155,8 +155,7 @@ pub(super) fn phong() -> Result<Figure, Box<dyn Error>> {
 /// Cook–Torrance with F = 1 and V-cavities, for three distributions.
 fn three_distributions(light: f64) -> Result<Vec<Lit>, Box<dyn Error>> {
     fn mirrors(distribution: impl Distribution<f64> + 'static) -> Result<Model, Box<dyn Error>> {
-        let mirrors = CookTorrance::new(distribution, Constant::new(1.0)?);
-        Ok(Box::new(mirrors.with_shadowing(VCavity)))
+        Ok(Box::new(CookTorrance::from_parts(distribution, Constant::new(1.0)?, VCavity)))
     }
     let m = 0.3;
     Ok(vec![

@@ -53,7 +53,11 @@ fn mirrors<T: Number>() {
     for (x, y) in [(1e-8, 1e-8), (1e-8, 1e-3), (1e-6, 1e-8)] {
         let (a, b) = (T::lit(x), T::lit(y));
         let models: [Box<dyn Brdf<T, Color = T>>; 3] = [
-            Box::new(CookTorrance::new(Beckmann::anisotropic(a, b).unwrap(), white())),
+            Box::new(CookTorrance::from_parts(
+                Beckmann::anisotropic(a, b).unwrap(),
+                white(),
+                VCavity,
+            )),
             Box::new(
                 CookTorrance::new(Beckmann::anisotropic(a, b).unwrap(), white())
                     .with_shadowing(SmithCorrelated),

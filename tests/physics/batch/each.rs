@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use brdf::batch::{BatchError, SampleBuffer, eval_each, pdf_each, sample_each};
+use brdf::batch::{BatchError, SampleBuffer, eval_each, eval_pdf_each, pdf_each, sample_each};
 use brdf::{Beckmann, Brdf, CookTorrance, ParameterError, Schlick};
 use glam::Vec3;
 
@@ -24,6 +24,9 @@ fn every_element_has_the_bits_of_its_own_model() {
         let (mut values, mut densities) = (vec![Vec3::MAX; n], vec![f32::MAX; n]);
         eval_each(model, wi_in, wo_in, (&mut values).into()).unwrap();
         pdf_each(model, wi_in, wo_in, &mut densities).unwrap();
+        let (mut both, mut beside) = (values.clone(), densities.clone());
+        eval_pdf_each(model, wi_in, wo_in, (&mut both).into(), &mut beside).unwrap();
+        assert_eq!((&both, &beside), (&values, &densities));
         let u: Vec<[f32; 2]> = roughness[..n].iter().map(|r| [r * 0.8, 0.9 - r * 0.7]).collect();
         let (mut drawn, mut weight, mut pdf) = (values.clone(), values.clone(), densities.clone());
         let samples =

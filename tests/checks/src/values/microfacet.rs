@@ -26,8 +26,7 @@ fn g<T: Number, D: Distribution<T>>(
     normals: &D,
     pair: &Pair<T>,
 ) -> f64 {
-    let visibility: f64 = shadowing.visibility(normals, pair).into();
-    4.0 * pair.cos_i.into() * pair.cos_o.into() * visibility
+    shadowing.g(normals, pair).into()
 }
 
 /// G₁(wo, h), for the half vector of the pair.
@@ -36,8 +35,7 @@ fn g1<T: Number, D: Distribution<T>>(
     normals: &D,
     pair: &Pair<T>,
 ) -> f64 {
-    let masking: f64 = shadowing.masking(normals, pair).into();
-    4.0 * pair.cos_o.into() * masking
+    shadowing.g1(normals, pair).into()
 }
 
 /// The same G as G₁ times the weight of a sample.
@@ -108,10 +106,10 @@ fn cook_torrance<T: Number>() -> Verdict {
         let m = case.number("m");
         let (beckmann, gaussian) = (Beckmann::new(T::lit(m))?, Gaussian::new(T::lit(m))?);
         let glass = Dielectric::new(case.input::<T>("n"))?;
-        case.same("f", CookTorrance::new(beckmann, glass).eval(wi, wo))?;
+        case.same("f", CookTorrance::from_parts(beckmann, glass, VCavity).eval(wi, wo))?;
         let printed = CookTorrance1982Printed::new(beckmann, glass).eval(wi, wo);
         case.same("f_cook_torrance_1982_printed", printed)?;
-        let gauss = CookTorrance::new(gaussian, glass).eval(wi, wo);
+        let gauss = CookTorrance::from_parts(gaussian, glass, VCavity).eval(wi, wo);
         case.same("f_torrance_sparrow_gauss", gauss)?;
         let gauss = CookTorrance::torrance_sparrow_1967(T::lit(PI / 180.0 / m), glass)?;
         case.same("f_torrance_sparrow_gauss", gauss.eval(wi, wo))?;

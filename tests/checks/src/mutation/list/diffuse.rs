@@ -6,7 +6,8 @@ use crate::faulty::Operation::{Add, Div, Literal, Max, Mul, SinCosTurns, Sqrt, S
 const LAMBERT: &str = "src/diffuse/lambert.rs";
 const OREN_NAYAR: &str = "src/diffuse/oren_nayar.rs";
 const SAMPLING: &str = "src/sampling.rs";
-const SUM: &str = "src/sum.rs";
+const SUM: &str = "src/sum/weighted.rs";
+const TERMS: &str = "src/sum/terms.rs";
 
 #[rustfmt::skip]
 pub(super) static MUTANTS: [Mutant; 18] = [
@@ -40,9 +41,9 @@ pub(super) static MUTANTS: [Mutant; 18] = [
         "sum + ▸term.weight * color(&term.model)", Mul, RIGHT),
     Mutant::new("weighted sum", "density without the probability of the term", SUM,
         "sum + ▸term.probability * term.model.pdf(wi, wo)", Mul, RIGHT),
-    Mutant::new("weighted sum", "u₀ used again without taking off the start of the term", SUM,
+    Mutant::new("weighted sum", "u₀ used again without taking off the start of the term", TERMS,
         "let stretched = ▸(u - start)", Sub, LEFT),
-    Mutant::new("weighted sum", "u₀ used again without being stretched", SUM,
+    Mutant::new("weighted sum", "u₀ used again without being stretched", TERMS,
         "let stretched = ▸(u - start) / T::select", Div, LEFT),
     Mutant::new("weighted sum", "probabilities do not add up to 1", SUM,
         "term.probability = ▸term.probability / total;", Div, LEFT),
