@@ -85,8 +85,8 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
                 "σ = 0.5: the constant 0.57 in place of 0.33 brightens the surface.",
             ],
             vec![
-                ("0.33".into(), material(OrenNayar::new(gray, 0.5)?)),
-                ("0.57".into(), material(OrenNayar::with_interreflection(gray, 0.5)?)),
+                ("without, 0.33".into(), material(OrenNayar::new(gray, 0.5)?)),
+                ("with, 0.57".into(), material(OrenNayar::with_interreflection(gray, 0.5)?)),
             ],
             moon,
         )
