@@ -3,7 +3,7 @@
 use std::error::Error;
 
 use brdf::materials::{ALUMINIUM, COPPER, GOLD, Material as Measured};
-use brdf::{Brdf, Conductor, CookTorrance, Ggx, Lambert, OrenNayar, ParameterError};
+use brdf::{Conductor, CookTorrance, Ggx, Lambert, OrenNayar, ParameterError};
 use glam::Vec3;
 
 use crate::film::Camera;
@@ -31,23 +31,19 @@ fn object(shape: Shape, center: [f32; 3], material: Material) -> Object {
     Object { shape, center: Vec3::from_array(center), material }
 }
 
-fn boxed(model: impl Brdf<Color = Spectral> + 'static) -> Material {
-    Box::new(model)
-}
-
 pub fn scene() -> Result<Scene, Box<dyn Error>> {
     // Short wavelengths, long ones, and where the pigment goes from one to the other.
     let (blue, clay) = (pigment(0.55, 0.02, 500.0), pigment(0.16, 0.6, 575.0));
     let red = pigment(0.03, 0.75, 595.0);
     let sphere = |radius| Shape::Sphere { radius };
     let objects = vec![
-        object(Shape::Floor, [0.0, 0.0, 0.0], boxed(Lambert::new(WHITE * 0.5)?)),
+        object(Shape::Floor, [0.0, 0.0, 0.0], Box::new(Lambert::new(WHITE * 0.5)?)),
         object(
             Shape::Bowl { radius: 0.95, lip: 0.12, half_wall: 0.05 },
             [-2.6, 1.0, -0.3],
-            boxed(OrenNayar::new(clay, 0.5)?),
+            Box::new(OrenNayar::new(clay, 0.5)?),
         ),
-        object(sphere(0.56), [-2.5, 0.67, -0.22], boxed(Plastic::new(red, 0.05, 1.5)?)),
+        object(sphere(0.56), [-2.5, 0.67, -0.22], Box::new(Plastic::new(red, 0.05, 1.5)?)),
         object(sphere(1.1), [-0.4, 1.1, -0.7], metal(Ggx::new(0.17)?, &GOLD)?),
         object(
             Shape::Disc { radius: 0.9, half_height: 0.22, edge: 0.05 },
@@ -55,7 +51,7 @@ pub fn scene() -> Result<Scene, Box<dyn Error>> {
             metal(Ggx::anisotropic(0.05, 0.3)?, &ALUMINIUM)?,
         ),
         object(sphere(0.6), [1.2, 0.6, 1.1], metal(Ggx::new(0.08)?, &COPPER)?),
-        object(sphere(0.95), [2.3, 0.95, -0.5], boxed(Plastic::new(blue, 0.07, 1.5)?)),
+        object(sphere(0.95), [2.3, 0.95, -0.5], Box::new(Plastic::new(blue, 0.07, 1.5)?)),
     ];
     let target = Vec3::new(0.0, 0.6, 0.0);
     let lamps = vec![

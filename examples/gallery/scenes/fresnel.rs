@@ -8,7 +8,7 @@ use brdf::{
 };
 use glam::Vec3;
 
-use super::{Scene, material, row, series, single};
+use super::{Scene, material, row, series};
 use crate::environment::Environment;
 use crate::metal;
 use crate::spectral::{Spectral, WAVELENGTHS};
@@ -42,7 +42,6 @@ fn exact(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
         ("copper".into(), spectral(0.2, metal::copper()?)?),
         ("silver".into(), spectral(0.2, metal::silver()?)?),
     ];
-    let glass = ("index 1.5", facets(Dielectric::new(Vec3::splat(1.5))?)?);
     Ok(vec![
         row(
             SECTION,
@@ -55,21 +54,14 @@ fn exact(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
             metals,
             light,
         ),
-        single(
-            SECTION,
-            "fresnel-dielectric",
-            [
-                "Dielectric",
-                "Exact equations for the index 1.5: four hundredths at the centre, everything at \
-                 the edge. Surface reflection only, as on black glass; α = 0.2.",
-            ],
-            glass,
-            light,
-        ),
         series(
             SECTION,
             "fresnel-index-series",
-            ["Index of refraction", "Exact dielectric, surface reflection only; α = 0.2."],
+            [
+                "Dielectrics",
+                "Exact equations: for the index 1.5 four hundredths at the centre, everything at the \
+                 edge. Surface reflection only, as on black glass; α = 0.2.",
+            ],
             ("n", [1.1, 1.33, 1.5, 2.0, 2.42]),
             |index| facets(Dielectric::new(Vec3::splat(index))?),
             light,
@@ -112,9 +104,9 @@ fn approximations(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
             forms(0.2)?,
             light,
         )
-        .with_difference(1, 0, 8.0)
-        .with_difference(2, 0, 8.0)
-        .with_difference(3, 0, 8.0),
+        .with_difference(1, 0, 32.0)
+        .with_difference(2, 0, 32.0)
+        .with_difference(3, 0, 32.0),
         row(
             SECTION,
             "fresnel-schlick",

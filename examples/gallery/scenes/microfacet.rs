@@ -129,13 +129,13 @@ fn shadowing(light: Light) -> Result<Vec<Scene>, Box<dyn Error>> {
     let terms = |name: &str, words, spheres| {
         row(SHADOWING, name, words, spheres, light)
             .with_difference(1, 0, 4.0)
-            .with_difference(2, 1, 8.0)
+            .with_difference(2, 1, 16.0)
     };
     Ok(vec![
         terms(
             "shadowing-beckmann",
-            ["Three shadowings, Beckmann", "Silver, α = 0.3: they differ towards the edge."],
-            compared(Beckmann::new(0.3)?)?,
+            ["Three shadowings, Beckmann", "Silver, α = 0.6: they differ towards the edge."],
+            compared(Beckmann::new(0.6)?)?,
         ),
         terms(
             "shadowing-ggx",
