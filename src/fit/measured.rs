@@ -5,7 +5,7 @@ use glam::DVec3;
 use crate::brdf::Brdf;
 use crate::description::{BrdfDescription, DescriptionError, FresnelDescription, Number, Path};
 use crate::fresnel::Fresnel;
-use crate::real::{Color, Real, Vector};
+use crate::real::{Real, Vector};
 
 /// A measured value of f_r.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,55 +1,45 @@
-//! The families of models that are fitted, and their parameters.
+//! The families of models that are fitted: descriptions, and which of their numbers are free.
 
-use brdf::{
-    Beckmann, BlinnPhong, Brdf, CookTorrance, Ggx, Lambert, OrenNayar, ParameterError, Schlick,
-    SmithCorrelated, WeightedSum,
-};
-use glam::DVec3;
+use std::f64::consts::FRAC_PI_2;
 
-pub type Model = Box<dyn Brdf<f64, Color = DVec3>>;
+use brdf::description::BrdfDescription;
+use brdf::fit::{Fit, Metric};
+use serde_json::{Value, json};
 
-/// Bounds of a parameter, and how the solver moves between them.
+/// The number that gives a lobe its shape.
 #[derive(Clone, Copy)]
-pub struct Parameter {
+pub struct Shape {
     pub name: &'static str,
+    pub path: &'static str,
     pub lower: f64,
     pub upper: f64,
-    /// Whether equal steps are equal ratios.
-    pub ratios: bool,
+    /// Where the solver starts; the best end counts.
+    starts: &'static [f64],
 }
 
-impl Parameter {
-    const fn color(name: &'static str) -> Self {
-        Self { name, lower: 0.0, upper: 1.0, ratios: false }
-    }
-
-    /// The parameter for a number without bounds.
-    pub fn bounded(&self, free: f64) -> f64 {
-        let part = 1.0 / (1.0 + (-free).exp());
-        if self.ratios {
-            self.lower * (self.upper / self.lower).powf(part)
-        } else {
-            self.lower + (self.upper - self.lower) * part
-        }
-    }
-
-    /// The number without bounds for a parameter between its bounds.
-    pub fn free(&self, bounded: f64) -> f64 {
-        let part = if self.ratios {
-            (bounded / self.lower).ln() / (self.upper / self.lower).ln()
-        } else {
-            (bounded - self.lower) / (self.upper - self.lower)
-        };
-        (part / (1.0 - part)).ln()
-    }
-}
-
-const DIFFUSE: [Parameter; 3] =
-    [Parameter::color("diffuse R"), Parameter::color("diffuse G"), Parameter::color("diffuse B")];
-const SIGMA: Parameter =
-    Parameter { name: "σ", lower: 0.0, upper: std::f64::consts::FRAC_PI_2, ratios: false };
-const EXPONENT: Parameter = Parameter { name: "exponent", lower: 1.0, upper: 1e5, ratios: true };
-const ROUGHNESS: Parameter = Parameter { name: "roughness", lower: 1e-3, upper: 2.0, ratios: true };
+const SIGMA: Shape = Shape {
+    name: "σ",
+    path: "oren_nayar.sigma",
+    lower: 0.0,
+    upper: FRAC_PI_2,
+    starts: &[0.1, 0.5],
+};
+const EXPONENT: Shape = Shape {
+    name: "exponent",
+    path: "sum[1].brdf.blinn_phong.exponent",
+    lower: 1.0,
+    upper: 1e5,
+    starts: &[20.0, 300.0, 5e3, 8e4],
+};
+const BECKMANN: Shape = Shape {
+    name: "roughness",
+    path: "sum[1].brdf.cook_torrance.distribution.beckmann.roughness",
+    lower: 1e-3,
+    upper: 2.0,
+    starts: &[0.005, 0.02, 0.08, 0.32],
+};
+const GGX: Shape =
+    Shape { path: "sum[1].brdf.cook_torrance.distribution.ggx.roughness", ..BECKMANN };
 
 /// A family of models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,62 +65,71 @@ impl Family {
         }
     }
 
-    /// The diffuse colour, the specular colour, the shape of the lobe: what there is of them.
-    pub fn parameters(self) -> Vec<Parameter> {
-        let specular = |names: [&'static str; 3]| names.map(Parameter::color);
-        let mut parameters = DIFFUSE.to_vec();
+    pub const fn shape(self) -> Option<Shape> {
         match self {
-            Self::Lambert => {}
-            Self::OrenNayar => parameters.push(SIGMA),
+            Self::Lambert => None,
+            Self::OrenNayar => Some(SIGMA),
+            Self::BlinnPhong => Some(EXPONENT),
+            Self::Beckmann => Some(BECKMANN),
+            Self::Ggx => Some(GGX),
+        }
+    }
+
+    /// The places of the diffuse colour and of the specular one, if there is one.
+    const fn colors(self) -> (&'static str, Option<&'static str>) {
+        match self {
+            Self::Lambert => ("lambert.albedo", None),
+            Self::OrenNayar => ("oren_nayar.albedo", None),
             Self::BlinnPhong => {
-                parameters.extend(specular(["specular R", "specular G", "specular B"]));
-                parameters.push(EXPONENT);
+                ("sum[0].brdf.lambert.albedo", Some("sum[1].brdf.blinn_phong.specular"))
             }
             Self::Beckmann | Self::Ggx => {
-                parameters.extend(specular(["F₀ R", "F₀ G", "F₀ B"]));
-                parameters.push(ROUGHNESS);
+                ("sum[0].brdf.lambert.albedo", Some("sum[1].brdf.cook_torrance.fresnel.schlick.f0"))
             }
         }
-        parameters
     }
 
-    /// Where the solver starts; the best end counts.
-    pub fn starts(self) -> Vec<Vec<f64>> {
-        let glossy = |shapes: [f64; 4]| {
-            shapes.map(|shape| vec![0.1, 0.1, 0.1, 0.1, 0.1, 0.1, shape]).to_vec()
+    fn described(self, shape: f64) -> Value {
+        let glossy = |gloss: Value| {
+            let base = json!({"lambert": {"albedo": [0.1, 0.1, 0.1]}});
+            json!({"sum": [{"weight": 1, "brdf": base}, {"weight": 1, "brdf": gloss}]})
+        };
+        let facets = |distribution: &str| {
+            glossy(json!({"cook_torrance": {
+                "distribution": {distribution: {"roughness": shape}},
+                "fresnel": {"schlick": {"f0": [0.1, 0.1, 0.1]}},
+            }}))
         };
         match self {
-            Self::Lambert => vec![vec![0.5; 3]],
-            Self::OrenNayar => [0.1, 0.5].map(|sigma| vec![0.5, 0.5, 0.5, sigma]).to_vec(),
-            Self::BlinnPhong => glossy([20.0, 300.0, 5e3, 8e4]),
-            Self::Beckmann | Self::Ggx => glossy([0.005, 0.02, 0.08, 0.32]),
+            Self::Lambert => json!({"lambert": {"albedo": [0.5, 0.5, 0.5]}}),
+            Self::OrenNayar => json!({"oren_nayar": {"albedo": [0.5, 0.5, 0.5], "sigma": shape}}),
+            Self::BlinnPhong => {
+                glossy(json!({"blinn_phong": {"specular": [0.1, 0.1, 0.1], "exponent": shape}}))
+            }
+            Self::Beckmann => facets("beckmann"),
+            Self::Ggx => facets("ggx"),
         }
     }
 
-    /// The model with these parameters.
-    pub fn model(self, values: &[f64]) -> Result<Model, ParameterError> {
-        let diffuse = DVec3::from_slice(values);
-        let glossy = |gloss: Model| -> Result<Model, ParameterError> {
-            let base: Model = Box::new(Lambert::new(diffuse)?);
-            Ok(Box::new(WeightedSum::new([(DVec3::ONE, base), (DVec3::ONE, gloss)])?))
+    /// Where the solver starts.
+    pub fn starts(self) -> Vec<BrdfDescription> {
+        let shapes = self.shape().map_or(&[0.0][..], |shape| shape.starts);
+        let start = |shape: &f64| {
+            serde_json::from_value(self.described(*shape)).expect("a description of a start")
         };
-        let (specular, shape) = (&values[3..], values[values.len() - 1]);
-        Ok(match self {
-            Self::Lambert => Box::new(Lambert::new(diffuse)?),
-            Self::OrenNayar => Box::new(OrenNayar::new(diffuse, shape)?),
-            Self::BlinnPhong => {
-                glossy(Box::new(BlinnPhong::new(DVec3::from_slice(specular), shape)?))?
-            }
-            Self::Beckmann => {
-                let fresnel = Schlick::new(DVec3::from_slice(specular))?;
-                let facets = CookTorrance::new(Beckmann::new(shape)?, fresnel);
-                glossy(Box::new(facets.with_shadowing(SmithCorrelated)))?
-            }
-            Self::Ggx => {
-                let fresnel = Schlick::new(DVec3::from_slice(specular))?;
-                let facets = CookTorrance::new(Ggx::new(shape)?, fresnel);
-                glossy(Box::new(facets.with_shadowing(SmithCorrelated)))?
-            }
-        })
+        shapes.iter().map(start).collect()
+    }
+
+    /// The fit that starts from a description.
+    pub fn fit(self, start: &BrdfDescription) -> Fit<'_, BrdfDescription> {
+        let (diffuse, specular) = self.colors();
+        let mut fit = Fit::of(start).by(Metric::CubeRoot).free(diffuse);
+        if let Some(specular) = specular {
+            fit = fit.free_within(specular, 0.0..=1.0);
+        }
+        match self.shape() {
+            Some(Shape { path, lower, upper, .. }) => fit.free_within(path, lower..=upper),
+            None => fit,
+        }
     }
 }

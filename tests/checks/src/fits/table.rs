@@ -15,7 +15,7 @@ fn overview(rows: &[Row]) -> String {
     let names = Family::ALL.map(Family::name).join(" | ");
     let mut text = format!("| relative | {names} |\n|---{}|\n", "|--:".repeat(Family::ALL.len()));
     for row in rows {
-        let cells = row.fits.iter().map(|fit| format!("{:.1} %", 100.0 * fit.relative));
+        let cells = row.fits.iter().map(|fit| format!("{:.1} %", 100.0 * fit.residuals.relative));
         let cells = cells.collect::<Vec<_>>().join(" | ");
         writeln!(text, "| {} | {cells} |", row.material.title).expect("a string takes all text");
     }
@@ -32,9 +32,9 @@ fn residuals(rows: &[Row]) -> String {
                 "| {} | {} | {:.4} | {:.1} % | {:.4} |",
                 row.material.title,
                 fit.family.name(),
-                fit.cube_root,
-                100.0 * fit.relative,
-                fit.plain
+                fit.residuals.cube_root,
+                100.0 * fit.residuals.relative,
+                fit.residuals.plain
             )
             .expect("a string takes all text");
         }
@@ -67,14 +67,12 @@ fn color(values: &[f64]) -> String {
 
 /// The diffuse colour, the specular colour and the shape.
 fn columns(fit: &Fit) -> (String, String, String) {
-    let specular = fit.values.get(3..6).map(color).unwrap_or_default();
-    let shape = match (fit.values.len(), fit.family.parameters().last()) {
-        (4 | 7, Some(parameter)) => {
-            let value = fit.values[fit.values.len() - 1];
-            let decimals = if value < 10.0 { 3 } else { 0 };
-            format!("{} {value:.decimals$}", parameter.name)
-        }
-        _ => String::new(),
-    };
-    (color(&fit.values[..3]), specular, shape)
+    let values = fit.values();
+    let specular = values.get(3..6).map(color).unwrap_or_default();
+    let shape = fit.family.shape().map_or_else(String::new, |shape| {
+        let value = values[values.len() - 1];
+        let decimals = if value < 10.0 { 3 } else { 0 };
+        format!("{} {value:.decimals$}", shape.name)
+    });
+    (color(&values[..3]), specular, shape)
 }
