@@ -1,0 +1,4 @@
+//! What the tests of shader text have: a validator, and a device that runs it.
+
+pub mod device;
+pub mod validate;
