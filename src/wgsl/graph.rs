@@ -30,6 +30,8 @@ pub(super) enum Operation {
     Max,
     /// The first, moved to between the others.
     Clamp,
+    /// The operand, rounded to single precision.
+    Rounded,
     Abs,
     Floor,
     Sqrt,

@@ -4,6 +4,7 @@
 mod described;
 mod error;
 mod expr;
+mod function;
 mod graph;
 mod literal;
 mod module;
@@ -17,6 +18,7 @@ mod vector;
 
 pub use error::ShaderError;
 pub use expr::{Expr, ExprMask};
+pub use function::{Answer, Argument, Arguments};
 pub use module::Module;
 pub use parameters::{Binding, Field, Parameters, Uniforms};
 pub use vector::ExprVec3;

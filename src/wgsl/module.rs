@@ -2,13 +2,15 @@
 
 use alloc::collections::BTreeSet;
 use alloc::format;
-use alloc::string::{String, ToString};
+use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt::{self, Write};
 
 use super::error::ShaderError;
 use super::expr::Expr;
+use super::function::{Answer, Arguments};
 use super::graph::{Graph, input, session};
+use super::literal::LARGEST;
 use super::name::checked;
 use super::parameters::{Binding, Parameters, Uniforms};
 use super::prelude::Function;
@@ -42,7 +44,7 @@ use crate::quadrature::{LATTICE, ROW, STEP};
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Module {
-    names: Vec<String>,
+    names: BTreeSet<String>,
     functions: BTreeSet<Function>,
     samples: bool,
     text: String,
@@ -63,9 +65,10 @@ impl Module {
     where
         M: Brdf<Expr, Color = ExprVec3>,
     {
-        self.named(name)?;
         let (results, graph) = session(|| Traced::new(model));
-        self.functions_of(name, &results, &graph)
+        self.claim(Names::model(name)?, &graph)?;
+        self.functions_of(name, &results, &graph);
+        Ok(())
     }
 
     /// Adds the functions of a model whose parameters come from a uniform buffer.
@@ -102,7 +105,6 @@ impl Module {
         M: Brdf<Expr, Color = ExprVec3>,
         E: Into<ShaderError>,
     {
-        self.named(name)?;
         let (traced, graph) = session(|| {
             let mut parameters = Parameters::new(format!("{name}_parameters"));
             let model = make(&mut parameters).map_err(Into::into)?;
@@ -110,13 +112,63 @@ impl Module {
             Ok::<_, ShaderError>((Traced::new(&model), uniforms))
         });
         let (results, uniforms) = traced?;
-        let before = self.text.len();
+        self.claim(Names::model(name)?.with_parameters(), &graph)?;
         self.structure(name, binding, &uniforms);
-        let added = self.functions_of(name, &results, &graph);
-        if added.is_err() {
-            self.text.truncate(before);
-        }
-        added.map(|()| uniforms)
+        self.functions_of(name, &results, &graph);
+        Ok(uniforms)
+    }
+
+    /// Adds a function of any formula: a Fresnel term, a distribution, a derivative.
+    ///
+    /// ```
+    /// use brdf::wgsl::{Expr, ExprVec3, Module};
+    /// use brdf::{Distribution, Ggx};
+    ///
+    /// let ggx = Ggx::new(Expr::from(0.3))?;
+    /// let mut module = Module::new();
+    /// module.add_function("facets", ["h"], |(h,): (ExprVec3,)| ggx.density(h))?;
+    /// assert!(module.to_string().contains("fn facets(h: vec3<f32>) -> f32 {"));
+    /// # Ok::<(), brdf::wgsl::ShaderError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If a name is no name of its own, or a symbol is one of another function.
+    pub fn add_function<A: Arguments<N>, R: Answer, const N: usize>(
+        &mut self,
+        name: &str,
+        arguments: [&str; N],
+        formula: impl FnOnce(A) -> R,
+    ) -> Result<(), ShaderError> {
+        let (results, graph) = session(|| formula(A::symbols(arguments)).parts());
+        let names = Names::function(name, &arguments)?;
+        self.claim(names, &graph)?;
+        self.formula::<A, R, N>(name, arguments, &results, &graph);
+        Ok(())
+    }
+
+    /// Adds a function of any formula that has parameters in a uniform buffer, as
+    /// [`add_with`](Self::add_with).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn add_function_with<A: Arguments<N>, R: Answer, E: Into<ShaderError>, const N: usize>(
+        &mut self,
+        name: &str,
+        binding: Binding,
+        arguments: [&str; N],
+        formula: impl FnOnce(&mut Parameters, A) -> Result<R, E>,
+    ) -> Result<Uniforms, ShaderError> {
+        let (traced, graph) = session(|| {
+            let mut parameters = Parameters::new(format!("{name}_parameters"));
+            let results = formula(&mut parameters, A::symbols(arguments)).map_err(Into::into)?;
+            Ok::<_, ShaderError>((results.parts(), parameters.done()?))
+        });
+        let (results, uniforms) = traced?;
+        let names = Names::function(name, &arguments)?;
+        self.claim(names.with_parameters(), &graph)?;
+        self.structure(name, binding, &uniforms);
+        self.formula::<A, R, N>(name, arguments, &results, &graph);
+        Ok(uniforms)
     }
 
     /// Adds `NAME_albedo`, the directional albedo of a model that is in the module: the mean weight
@@ -125,24 +177,25 @@ impl Module {
     /// # Errors
     /// If the module has no model of that name, or its albedo already.
     pub fn add_albedo(&mut self, name: &str) -> Result<(), ShaderError> {
-        let albedo = format!("{name}_albedo");
-        if !self.names.iter().any(|known| known == name) {
+        let (albedo, sample) = (format!("{name}_albedo"), format!("{name}_sample"));
+        if !self.names.contains(&sample) {
             return Err(ShaderError::Unknown(name.into()));
         }
-        if self.names.contains(&albedo) {
+        if !self.names.insert(albedo.clone()) {
             return Err(ShaderError::Taken(albedo));
         }
         let rows = LATTICE / ROW;
         let _ = write!(
             self.text,
             "
+// The directional albedo: the mean weight of {LATTICE} samples.
 fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
     var sum = vec3<f32>(0.0);
     for (var row = 0u; row < {rows}u; row++) {{
         var part = vec3<f32>(0.0);
         for (var i = row * {ROW}u; i < (row + 1u) * {ROW}u; i++) {{
             let u = (vec2<f32>(vec2<u32>(i, i * {STEP}u % {LATTICE}u)) + 0.5) / {LATTICE}.0;
-            part += {name}_sample(wo, u).weight;
+            part += {sample}(wo, u).weight;
         }}
         sum += part;
     }}
@@ -150,18 +203,44 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
 }}
 "
         );
-        self.names.push(albedo);
         Ok(())
     }
 
-    /// Whether a name may be added.
-    fn named(&self, name: &str) -> Result<(), ShaderError> {
-        checked(name)?;
-        let type_name = camel_case(name);
-        if self.names.iter().any(|known| known == name || camel_case(known) == type_name) {
-            return Err(ShaderError::Taken(name.into()));
+    /// Takes names, all of them or none, for functions whose graph is in order.
+    fn claim(&mut self, names: Names<'_>, graph: &Graph) -> Result<(), ShaderError> {
+        if graph.foreign {
+            return Err(ShaderError::Foreign);
         }
+        if graph.full {
+            return Err(ShaderError::TooLong);
+        }
+        if let Some(taken) = names.taken.iter().find(|name| self.names.contains(*name)) {
+            return Err(ShaderError::Taken(taken.clone()));
+        }
+        self.names.extend(names.taken);
         Ok(())
+    }
+
+    fn formula<A: Arguments<N>, R: Answer, const N: usize>(
+        &mut self,
+        name: &str,
+        arguments: [&str; N],
+        results: &[ExprVec3],
+        graph: &Graph,
+    ) {
+        let kinds = arguments.iter().zip(A::kinds());
+        let kinds: Vec<String> = kinds.map(|(name, kind)| format!("{name}: {kind}")).collect();
+        let result = R::kind();
+        let width = if R::WIDE { Width::Three } else { Width::One };
+        let results: Vec<_> = results.iter().map(|part| (part.0, width)).collect();
+        self.function(Signature {
+            comment: "",
+            name,
+            arguments: &kinds.join(", "),
+            result: &result,
+            body: &print(graph, &results),
+            parts: &[],
+        });
     }
 
     fn structure(&mut self, name: &str, binding: Binding, uniforms: &Uniforms) {
@@ -180,55 +259,106 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
         );
     }
 
-    fn functions_of(
-        &mut self,
-        name: &str,
-        results: &Traced,
-        graph: &Graph,
-    ) -> Result<(), ShaderError> {
-        if graph.foreign {
-            return Err(ShaderError::Foreign);
-        }
-        if graph.full {
-            return Err(ShaderError::TooLong);
-        }
+    fn functions_of(&mut self, name: &str, results: &Traced, graph: &Graph) {
         let Traced { eval, pdf, sample } = results;
-        let body = print(graph, &[(eval.0, Width::Three)]);
-        self.function(&format!("{name}_eval"), PAIR, "vec3<f32>", &body, "");
-        let body = print(graph, &[(pdf.0, Width::One)]);
-        self.function(&format!("{name}_pdf"), PAIR, "f32", &body, "");
-        let body = print(
-            graph,
-            &[
-                (sample.wi.0, Width::Three),
-                (sample.weight.0, Width::Three),
-                (sample.pdf.0, Width::One),
-            ],
-        );
-        self.function(&format!("{name}_sample"), DRAW, "BrdfSample", &body, "BrdfSample");
+        self.function(Signature {
+            comment: "f(wi, wo) per steradian, without the cosine.",
+            name: &format!("{name}_eval"),
+            arguments: PAIR,
+            result: "vec3<f32>",
+            body: &print(graph, &[(eval.0, Width::Three)]),
+            parts: &[],
+        });
+        self.function(Signature {
+            comment: "The density per steradian of the samples for wo.",
+            name: &format!("{name}_pdf"),
+            arguments: PAIR,
+            result: "f32",
+            body: &print(graph, &[(pdf.0, Width::One)]),
+            parts: &[],
+        });
+        let parts = [
+            (sample.wi.0, Width::Three),
+            (sample.weight.0, Width::Three),
+            (sample.pdf.0, Width::One),
+        ];
+        self.function(Signature {
+            comment: "A direction towards the light for wo, from two uniform numbers in 0 .. 1.",
+            name: &format!("{name}_sample"),
+            arguments: "wo: vec3<f32>, u: vec2<f32>",
+            result: "BrdfSample",
+            body: &print(graph, &parts),
+            parts: &["wi", "weight", "pdf"],
+        });
         self.samples = true;
-        self.names.push(name.to_string());
-        Ok(())
     }
 
-    fn function(&mut self, name: &str, arguments: &str, kind: &str, body: &Body, made: &str) {
+    fn function(&mut self, signature: Signature<'_>) {
+        let Signature { comment, name, arguments, result, body, parts } = signature;
         self.functions.extend(&body.functions);
         let text = &mut self.text;
-        let _ = write!(text, "\nfn {name}({arguments}) -> {kind} {{\n");
+        let (before, after) = if comment.is_empty() { ("", "") } else { ("// ", "\n") };
+        let _ = write!(text, "\n{before}{comment}{after}fn {name}({arguments}) -> {result} {{\n");
         for statement in &body.statements {
             let _ = writeln!(text, "    {statement}");
         }
-        let results = body.results.join(", ");
-        let _ = if made.is_empty() {
-            write!(text, "    return {results};\n}}\n")
-        } else {
-            write!(text, "    return {made}({results});\n}}\n")
+        // A result of several parts is made of named ones.
+        for (part, value) in parts.iter().zip(&body.results).filter(|(part, value)| part != value) {
+            let _ = writeln!(text, "    let {part} = {value};");
+        }
+        let _ = match body.results.as_slice() {
+            [one] if !result.starts_with("array") => writeln!(text, "    return {one};\n}}"),
+            results if parts.is_empty() => {
+                writeln!(text, "    return {result}({});\n}}", results.join(", "))
+            }
+            _ => writeln!(text, "    return {result}({});\n}}", parts.join(", ")),
         };
     }
 }
 
+/// The names that an addition takes, all made of one.
+struct Names<'a> {
+    name: &'a str,
+    taken: Vec<String>,
+}
+
+impl<'a> Names<'a> {
+    fn model(name: &'a str) -> Result<Self, ShaderError> {
+        checked(name)?;
+        let taken = ["eval", "pdf", "sample"].map(|kind| format!("{name}_{kind}")).into();
+        Ok(Self { name, taken })
+    }
+
+    fn function(name: &'a str, arguments: &[&str]) -> Result<Self, ShaderError> {
+        for (index, argument) in arguments.iter().enumerate() {
+            checked(argument)?;
+            if arguments[..index].contains(argument) {
+                return Err(ShaderError::Taken((*argument).into()));
+            }
+        }
+        Ok(Self { name, taken: Vec::from([checked(name)?.into()]) })
+    }
+
+    /// And those of a uniform buffer.
+    fn with_parameters(mut self) -> Self {
+        let Self { name, .. } = self;
+        self.taken.extend([format!("{name}_parameters"), format!("{}Parameters", camel_case(name))]);
+        self
+    }
+}
+
+/// A function to be written.
+struct Signature<'a> {
+    comment: &'a str,
+    name: &'a str,
+    arguments: &'a str,
+    result: &'a str,
+    body: &'a Body,
+    /// What the parts of the result are called, if it has some.
+    parts: &'a [&'a str],
+}
+
 const PAIR: &str = "wi: vec3<f32>, wo: vec3<f32>";
-const DRAW: &str = "wo: vec3<f32>, u: vec2<f32>";
 
 /// What the functions of a model answer to symbols.
 struct Traced {
@@ -259,13 +389,14 @@ fn camel_case(name: &str) -> String {
 
 impl fmt::Display for Module {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(LARGEST)?;
         let mut needed = self.functions.clone();
         let mut new: Vec<Function> = needed.iter().copied().collect();
         while let Some(function) = new.pop() {
             new.extend(function.needs().filter(|other| needed.insert(*other)));
         }
-        for (index, function) in needed.iter().enumerate() {
-            f.write_str(if index == 0 { "" } else { "\n" })?;
+        for function in needed {
+            f.write_str("\n")?;
             f.write_str(function.text())?;
         }
         if self.samples {

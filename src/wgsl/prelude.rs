@@ -32,6 +32,8 @@ macro_rules! functions {
 }
 
 functions! {
+    Rounded "rounded"
+    Rounded3 "rounded_3"
     Scaled "scaled"
     Upper "upper"
     Copysign "copysign"

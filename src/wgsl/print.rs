@@ -162,9 +162,14 @@ impl Printer<'_> {
     }
 
     fn fresh(&mut self, letter: &'static str) -> String {
-        let count = self.counts.entry(letter).or_default();
-        *count += 1;
-        format!("{letter}{count}")
+        loop {
+            let count = self.counts.entry(letter).or_default();
+            *count += 1;
+            let name = format!("{letter}{count}");
+            if !self.graph.names.contains(&name) {
+                return name;
+            }
+        }
     }
 
     /// The text of a value.
@@ -242,6 +247,14 @@ impl Printer<'_> {
             Operation::Min => self.builtin("min", [a, b], width),
             Operation::Max => self.builtin("max", [a, b], width),
             Operation::Clamp => self.clamp([a, b, c], width),
+            Operation::Rounded => {
+                let function = match width {
+                    Width::Three => Function::Rounded3,
+                    _ => Function::Rounded,
+                };
+                self.body.functions.insert(function);
+                self.builtin(function.name(), [a], width)
+            }
             Operation::Abs => self.builtin("abs", [a], width),
             Operation::Floor => self.builtin("floor", [a], width),
             Operation::Sqrt => self.builtin("sqrt", [a], width),

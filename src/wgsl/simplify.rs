@@ -47,7 +47,21 @@ pub(super) fn add(a: Value, b: Value) -> Value {
     match (negated(a).or(positive(a)), negated(b).or(positive(b))) {
         (_, Some(b)) => sub(a, b),
         (Some(a), None) if b.known_numbers().is_none() => sub(b, a),
-        _ => binary(Operation::Add, [a, b], |a, b| a + b),
+        _ => binary(Operation::Add, [kept(a, b), kept(b, a)], |a, b| a + b),
+    }
+}
+
+/// A sum or difference from which the other one is about to be taken away again: rounded, so that
+/// what is left has the digits that it has for all who use the sum. A compiler would take both
+/// operations away.
+fn kept(value: Value, other: Value) -> Value {
+    match value.node().and_then(step) {
+        Some(step) if matches!(step.operation, Operation::Add | Operation::Sub) => {
+            let [a, b, _] = step.of;
+            let undone = other.node().is_some() && (a == other || b == other);
+            if undone { record(Operation::Rounded, [value, Value::ZERO, Value::ZERO], value.width()) } else { value }
+        }
+        _ => value,
     }
 }
 
@@ -63,7 +77,7 @@ pub(super) fn sub(a: Value, b: Value) -> Value {
             return add(a, b);
         }
     }
-    binary(Operation::Sub, [a, b], |a, b| a - b)
+    binary(Operation::Sub, [kept(a, b), kept(b, a)], |a, b| a - b)
 }
 
 pub(super) fn mul(a: Value, b: Value) -> Value {

@@ -6,5 +6,5 @@ fn brdf_exp(x: f32) -> f32 {
     let r2 = r * r;
     let rest = 0.49999994 + 0.16666515 * r
         + r2 * (0.041668084 + 0.008369369 * r + r2 * 0.0013841367);
-    return brdf_scaled(1.0 + (r + r2 * rest), i32(n));
+    return select(brdf_scaled(1.0 + (r + r2 * rest), i32(n)), 0.0, x < -104.0);
 }

@@ -15,5 +15,5 @@ fn brdf_power_of_part(x: f32, rest: f32, exponent: f32) -> f32 {
     let r2 = r * r;
     let power = 1.0 + r * (0.6931472 + 0.24022648 * r
         + r2 * (0.055503596 + 0.009618499 * r + r2 * (0.0013390972 + 0.00015329332 * r)));
-    return brdf_scaled(power, i32(n));
+    return select(brdf_scaled(power, i32(n)), 0.0, e < -151.0);
 }

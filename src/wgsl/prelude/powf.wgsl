@@ -29,7 +29,7 @@ fn brdf_powf(x: f32, y: f32) -> f32 {
     let r2 = r * r;
     let power = 1.0 + r * (0.6931472 + 0.24022648 * r
         + r2 * (0.055503596 + 0.009618499 * r + r2 * (0.0013390972 + 0.00015329332 * r)));
-    let inside = brdf_scaled(power, i32(n));
+    let inside = select(brdf_scaled(power, i32(n)), 0.0, n < -151.0);
     let end = select(0.0, 3.40282346e38, (x > 0.0) == (y > 0.0));
     let at_end = x <= 0.0 || x > 3.40282346e38;
     return select(select(inside, end, at_end), 1.0, y == 0.0);
