@@ -13,6 +13,8 @@ mod parameters;
 mod prelude;
 mod print;
 mod simplify;
+#[cfg(test)]
+mod tests;
 mod value;
 mod vector;
 

@@ -5,7 +5,7 @@ use std::env;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
     Adapter, Backends, BindGroupDescriptor, BindGroupEntry, BufferDescriptor, BufferUsages,
-    ComputePassDescriptor, ComputePipelineDescriptor, Device as Handle, DeviceDescriptor, Instance,
+    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, Device as Handle, DeviceDescriptor, Instance,
     InstanceDescriptor, MapMode, PollType, Queue, ShaderModuleDescriptor, ShaderSource,
 };
 
@@ -31,7 +31,7 @@ pub struct Program<'a> {
 
 impl Program<'_> {
     /// The whole shader, whose entry point is `main`.
-    pub fn shader(&self, count: usize) -> String {
+    pub fn shader(&self) -> String {
         let Self { text, statements, inputs, outputs } = self;
         format!(
             "{text}
@@ -40,7 +40,7 @@ impl Program<'_> {
 
 @compute @workgroup_size(64)
 fn main(@builtin(global_invocation_id) id: vec3<u32>) {{
-    if id.x >= {count}u {{
+    if id.x >= arrayLength(&given) / {inputs}u {{
         return;
     }}
     let at = id.x * {inputs}u;
@@ -70,17 +70,14 @@ impl Device {
         found
     }
 
-    /// Runs a program on numbers, and on a uniform buffer if there is one (group 1, binding 0).
+    /// Makes a program ready to run.
     ///
     /// # Panics
     /// If the device does not take it.
-    pub fn run(&self, program: &Program<'_>, given: &[f32], uniforms: Option<&[u8]>) -> Vec<f32> {
-        let count = given.len() / program.inputs;
-        let size = (count * program.outputs * 4) as u64;
-        let text = program.shader(count);
+    pub fn compile(&self, program: &Program<'_>) -> Compiled<'_> {
         let module = self.device.create_shader_module(ShaderModuleDescriptor {
             label: None,
-            source: ShaderSource::Wgsl(text.into()),
+            source: ShaderSource::Wgsl(program.shader().into()),
         });
         let pipeline = self.device.create_compute_pipeline(&ComputePipelineDescriptor {
             label: None,
@@ -90,13 +87,34 @@ impl Device {
             compilation_options: Default::default(),
             cache: None,
         });
+        Compiled { at: self, pipeline, inputs: program.inputs, outputs: program.outputs }
+    }
+}
+
+/// A program on a device.
+pub struct Compiled<'a> {
+    at: &'a Device,
+    pipeline: ComputePipeline,
+    inputs: usize,
+    outputs: usize,
+}
+
+impl Compiled<'_> {
+    /// Runs on numbers, and on a uniform buffer if there is one (group 1, binding 0).
+    ///
+    /// # Panics
+    /// If the device fails.
+    pub fn run(&self, given: &[f32], uniforms: Option<&[u8]>) -> Vec<f32> {
+        let Self { at: Device { device, queue, .. }, pipeline, .. } = self;
+        let count = given.len() / self.inputs;
+        let size = (count * self.outputs * 4) as u64;
         let filled = |contents: &[u8], usage| {
-            self.device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
+            device.create_buffer_init(&BufferInitDescriptor { label: None, contents, usage })
         };
         let empty = |usage| {
             let descriptor =
                 BufferDescriptor { label: None, size, usage, mapped_at_creation: false };
-            self.device.create_buffer(&descriptor)
+            device.create_buffer(&descriptor)
         };
         let input = filled(bytemuck::cast_slice(given), BufferUsages::STORAGE);
         let output = empty(BufferUsages::STORAGE | BufferUsages::COPY_SRC);
@@ -109,7 +127,7 @@ impl Device {
                     resource: buffer.as_entire_binding(),
                 })
                 .collect();
-            self.device.create_bind_group(&BindGroupDescriptor {
+            device.create_bind_group(&BindGroupDescriptor {
                 label: None,
                 layout: &pipeline.get_bind_group_layout(group),
                 entries: &entries,
@@ -119,19 +137,19 @@ impl Device {
             Some(bound(0, &[&input, &output])),
             uniforms.map(|bytes| bound(1, &[&filled(bytes, BufferUsages::UNIFORM)])),
         ];
-        let mut encoder = self.device.create_command_encoder(&Default::default());
+        let mut encoder = device.create_command_encoder(&Default::default());
         {
             let mut pass = encoder.begin_compute_pass(&ComputePassDescriptor::default());
-            pass.set_pipeline(&pipeline);
+            pass.set_pipeline(pipeline);
             for (index, group) in (0..).zip(groups.iter().flatten()) {
                 pass.set_bind_group(index, group, &[]);
             }
             pass.dispatch_workgroups(count.div_ceil(64) as u32, 1, 1);
         }
         encoder.copy_buffer_to_buffer(&output, 0, &back, 0, size);
-        self.queue.submit([encoder.finish()]);
+        queue.submit([encoder.finish()]);
         back.slice(..).map_async(MapMode::Read, |mapped| mapped.expect("the buffer is mapped"));
-        self.device.poll(PollType::wait_indefinitely()).expect("the device answers");
+        device.poll(PollType::wait_indefinitely()).expect("the device answers");
         let bytes = back.slice(..).get_mapped_range().expect("the buffer is mapped");
         bytemuck::cast_slice(&bytes).to_vec()
     }

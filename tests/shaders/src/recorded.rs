@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use brdf::{Brdf, Sample};
 use glam::Vec3;
 
-use crate::device::{Device, Program};
+use crate::device::{Compiled, Device, Program};
 
 /// A pair of directions, a viewer's two uniform numbers.
 #[derive(Clone, Copy, Debug)]
@@ -23,18 +23,11 @@ pub struct Answered {
     pub sample: Sample<f32, Vec3>,
 }
 
-/// Asks the functions of the model `model` of a module.
-pub fn ask(
-    device: &Device,
-    text: &str,
-    questions: &[Question],
-    uniforms: Option<&[u8]>,
-) -> Vec<Answered> {
-    let program = Program {
-        text,
-        inputs: 8,
-        outputs: 11,
-        statements: "
+/// The functions of a model `model` on a device.
+pub struct Shader<'a>(Compiled<'a>);
+
+/// What runs for each question.
+pub const STATEMENTS: &str = "
     let wi = vec3(given[at], given[at + 1u], given[at + 2u]);
     let wo = vec3(given[at + 3u], given[at + 4u], given[at + 5u]);
     let u = vec2(given[at + 6u], given[at + 7u]);
@@ -46,23 +39,35 @@ pub fn ask(
         answers[to + 7u + i] = drawn.weight[i];
     }
     answers[to + 3u] = model_pdf(wi, wo);
-    answers[to + 10u] = drawn.pdf;",
-    };
-    let given: Vec<f32> = questions
-        .iter()
-        .flat_map(|Question { wi, wo, u }| [wi.x, wi.y, wi.z, wo.x, wo.y, wo.z, u[0], u[1]])
-        .collect();
-    let answers = device.run(&program, &given, uniforms);
-    let answered = |it: &[f32]| Answered {
-        value: Vec3::from_slice(&it[0..3]),
-        pdf: it[3],
-        sample: Sample {
-            wi: Vec3::from_slice(&it[4..7]),
-            weight: Vec3::from_slice(&it[7..10]),
-            pdf: it[10],
-        },
-    };
-    answers.chunks_exact(11).map(answered).collect()
+    answers[to + 10u] = drawn.pdf;";
+
+/// The program that answers questions about the model of a module.
+pub const fn program(text: &str) -> Program<'_> {
+    Program { text, statements: STATEMENTS, inputs: 8, outputs: 11 }
+}
+
+impl<'a> Shader<'a> {
+    pub fn new(device: &'a Device, text: &str) -> Self {
+        Self(device.compile(&program(text)))
+    }
+
+    pub fn ask(&self, questions: &[Question], uniforms: Option<&[u8]>) -> Vec<Answered> {
+        let given: Vec<f32> = questions
+            .iter()
+            .flat_map(|Question { wi, wo, u }| [wi.x, wi.y, wi.z, wo.x, wo.y, wo.z, u[0], u[1]])
+            .collect();
+        let answers = self.0.run(&given, uniforms);
+        let answered = |it: &[f32]| Answered {
+            value: Vec3::from_slice(&it[0..3]),
+            pdf: it[3],
+            sample: Sample {
+                wi: Vec3::from_slice(&it[4..7]),
+                weight: Vec3::from_slice(&it[7..10]),
+                pdf: it[10],
+            },
+        };
+        answers.chunks_exact(11).map(answered).collect()
+    }
 }
 
 /// A model that knows the answers to some pairs.
@@ -70,6 +75,18 @@ pub struct Recorded(HashMap<[u32; 6], Answered>);
 
 fn key(wi: Vec3, wo: Vec3) -> [u32; 6] {
     [wi.x, wi.y, wi.z, wo.x, wo.y, wo.z].map(f32::to_bits)
+}
+
+impl Answered {
+    /// All numbers.
+    pub fn numbers(&self) -> [f32; 11] {
+        let Self { value, pdf, sample } = self;
+        let (wi, weight) = (sample.wi, sample.weight);
+        [
+            value.x, value.y, value.z, *pdf, wi.x, wi.y, wi.z, weight.x, weight.y, weight.z,
+            sample.pdf,
+        ]
+    }
 }
 
 impl Recorded {
