@@ -3,3 +3,8 @@
 pub mod device;
 pub mod recorded;
 pub mod validate;
+
+/// The page about shaders, whose code runs where there is naga.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/shaders.md")]
+mod page {}
