@@ -93,7 +93,9 @@ impl Given {
         let mut names = names.filter(|name| {
             let begins = |letter: char| letter.is_ascii_alphabetic();
             let alone = self.parameters.iter().filter(|(other, _)| other.ends_with(name)).count();
-            name.first().is_some_and(|step| step.starts_with(begins)) && alone == 1
+            // What begins with `brdf` are names of the crate.
+            let first = name.first().is_some_and(|step| step.starts_with(begins) && step != "brdf");
+            first && alone == 1
         });
         names.next().unwrap_or(steps).join("_")
     }

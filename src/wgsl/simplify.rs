@@ -1,7 +1,7 @@
 //! Operations on values: known ones are computed in `f64` by the functions of the crate, identities
 //! are left out, the rest becomes a node.
 
-use super::graph::{Operation, record, step};
+use super::graph::{Operation, Step, record, step};
 use super::prelude::Function;
 use super::value::{Value, Width};
 use crate::real::Real;
@@ -87,8 +87,28 @@ pub(super) fn mul(a: Value, b: Value) -> Value {
     match (a, b) {
         (one, other) | (other, one) if one.is(1.0) => other,
         (minus, other) | (other, minus) if minus.is(-1.0) => neg(other),
-        _ => binary(Operation::Mul, [a, b], |a, b| a * b),
+        _ => match (scaled(a, b), scaled(b, a)) {
+            (Some([number, factor]), _) | (None, Some([number, factor])) => mul(number, factor),
+            (None, None) => binary(Operation::Mul, [a, b], |a, b| a * b),
+        },
     }
+}
+
+/// For a product by a known factor, and another: the number and the product of the factors. Two
+/// factors would be rounded to single precision, one after the other.
+fn scaled(product: Value, factor: Value) -> Option<[Value; 2]> {
+    let factors = factor.known_numbers()?;
+    let step = step(product.node()?)?;
+    let [a, b, _] = step.of;
+    let (number, other) = match (a.known_numbers(), b.known_numbers()) {
+        (None, Some(other)) => (a, other),
+        (Some(other), None) => (b, other),
+        _ => return None,
+    };
+    let product: [f64; 3] = core::array::from_fn(|i| factors[i] * other[i]);
+    let single = f64::from(f32::MIN_POSITIVE)..f64::from(f32::MAX);
+    let fits = product.iter().all(|product| single.contains(&product.abs()));
+    (step.operation == Operation::Mul && fits).then(|| [number, Value::numbers(product)])
 }
 
 pub(super) fn div(a: Value, b: Value) -> Value {
@@ -103,15 +123,31 @@ pub(super) fn neg(value: Value) -> Value {
 }
 
 pub(super) fn min(a: Value, b: Value) -> Value {
-    binary(Operation::Min, [a, b], Real::min)
+    bounded(Operation::Min, a, b, Real::min)
 }
 
 pub(super) fn max(a: Value, b: Value) -> Value {
-    binary(Operation::Max, [a, b], Real::max)
+    bounded(Operation::Max, a, b, Real::max)
+}
+
+/// Of two known bounds the narrower one is enough.
+fn bounded(operation: Operation, a: Value, b: Value, narrower: fn(f64, f64) -> f64) -> Value {
+    if let (Some(step), Some(bound)) = (a.node().and_then(step), b.known_numbers()) {
+        let [value, other, _] = step.of;
+        if let (true, Some(other)) = (step.operation == operation, other.known_numbers()) {
+            let bounds = core::array::from_fn(|i| narrower(bound[i], other[i]));
+            return binary(operation, [value, Value::numbers(bounds)], narrower);
+        }
+    }
+    binary(operation, [a, b], narrower)
 }
 
 pub(super) fn clamp(value: Value, lower: Value, upper: Value) -> Value {
     let of = [value, lower, upper];
+    let again = |step: Step| step.operation == Operation::Clamp && step.of[1..] == of[1..];
+    if value.node().and_then(step).is_some_and(again) {
+        return value;
+    }
     match of.map(Value::known_numbers) {
         [Some(x), Some(a), Some(b)] => {
             Value::numbers(core::array::from_fn(|i| Real::clamp(x[i], a[i], b[i])))

@@ -15,7 +15,7 @@ fn brdf_atan2(y: f32, x: f32) -> f32 {
     let away = select(-1.0, 1.0, steep == left);
     let axis = select(select(0.0, 3.1415927, left), 1.5707964, steep);
     let axis_low = select(select(0.0, -8.742278e-8, left), -4.371139e-8, steep);
-    let sum = axis + away * t;
+    let sum = brdf_rounded(axis + away * t);
     let lost = away * t - (sum - axis);
     return brdf_copysign(sum + (lost + (away * tail + axis_low)), y);
 }

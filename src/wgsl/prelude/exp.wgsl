@@ -2,7 +2,7 @@
 fn brdf_exp(x: f32) -> f32 {
     let bounded = clamp(x, -105.0, 90.0);
     let n = round(bounded * 1.442695);
-    let r = (bounded - n * 0.69314575) - n * 1.4286068e-6;
+    let r = brdf_rounded(bounded - n * 0.69314575) - n * 1.4286068e-6;
     let r2 = r * r;
     let rest = 0.49999994 + 0.16666515 * r
         + r2 * (0.041668084 + 0.008369369 * r + r2 * 0.0013841367);

@@ -2,9 +2,9 @@
 fn brdf_exp_m1(x: f32) -> f32 {
     let bounded = clamp(x, -30.0, 89.0);
     let n = round(bounded * 1.442695);
-    let high = bounded - n * 0.69314575;
+    let high = brdf_rounded(bounded - n * 0.69314575);
     let low = n * 1.4286068e-6;
-    let r = high - low;
+    let r = brdf_rounded(high - low);
     let r2 = r * r;
     let polynomial = 0.49999994 + 0.16666515 * r
         + r2 * (0.041668084 + 0.008369369 * r + r2 * 0.0013841367);

@@ -1,20 +1,29 @@
 //! The text of every model: valid, in other languages too, and not too long.
 
+use brdf::OrenNayar;
 use brdf::wgsl::{Binding, Module};
 use brdf_checks::models;
 use brdf_shaders::recorded::program;
 use brdf_shaders::validate::{translate, validate};
+use glam::DVec3;
+
+#[path = "../../../../examples/shader.rs"]
+mod example;
+
+const PAGE: &str = include_str!("../../../../docs/shaders.md");
 
 /// What no text may contain: names of numbers that are none, and what would be the largest number
 /// but lies beyond it.
 const WRONG: [&str; 4] = ["NaN", "inf", "3.4028235e38", "3.4028236e38"];
 
 /// Bytes of the functions of a model with constants; a sum or mixture of three has as many for each.
-const LONGEST: usize = 32_000;
+const LONGEST: usize = 33_000;
 
 fn check(name: &str, text: &str) {
-    let wrong = WRONG.into_iter().find(|wrong| text.contains(wrong));
-    assert_eq!(wrong, None, "{name}");
+    for line in text.lines().filter(|line| !line.starts_with("//")) {
+        let wrong = WRONG.into_iter().find(|wrong| line.contains(wrong));
+        assert_eq!(wrong, None, "{name}: {line}");
+    }
     let shader = program(text).shader();
     let (module, info) = validate(name, &shader);
     let translated = translate(name, &module, &info);
@@ -104,4 +113,26 @@ fn fields_lie_where_the_language_puts_them() {
         assert_eq!(offsets, packed, "{}", row.name);
         assert_eq!(uniforms.bytes().len(), span, "{}", row.name);
     }
+}
+
+#[test]
+fn the_example_prints_a_valid_shader() {
+    let text = example::shader().expect("a shader");
+    let (module, _) = validate("example", &text);
+    assert_eq!(module.entry_points[0].name, "sphere");
+}
+
+/// The page shows a function as it is written.
+#[test]
+fn the_page_shows_what_is_written() {
+    let mut module = Module::new();
+    let clay = module.add_with("clay", Binding { group: 1, binding: 0 }, |parameters| {
+        let albedo = parameters.color("albedo", DVec3::new(0.8, 0.4, 0.3));
+        OrenNayar::new(albedo, parameters.number("sigma", 0.3))
+    });
+    assert_eq!(clay.expect("clay").size(), 16);
+    let text = module.to_string();
+    let (_, function) = text.split_once("fn clay_eval").expect("the function");
+    let (function, _) = function.split_once("\n}\n").expect("its end");
+    assert!(PAGE.contains(&format!("fn clay_eval{function}\n}}\n")), "{function}");
 }
