@@ -178,7 +178,9 @@ impl Question {
                 u: None,
                 cos: None,
                 h: None,
-            } => Ok(Self::Text { brdf: read(line, "wgsl", brdf)?, name: read(line, "name", name)? }),
+            } => {
+                Ok(Self::Text { brdf: read(line, "wgsl", brdf)?, name: read(line, "name", name)? })
+            }
             _ => Err(KINDS.into()),
         }
     }

@@ -60,15 +60,20 @@ impl Module {
     }
 }
 
-/// The numbers of a description.
-struct Given {
-    /// Keys and indices that lead to a parameter, and the places and values of its numbers.
-    parameters: Vec<(Vec<String>, Vec<(String, f64)>)>,
+/// A parameter of a description.
+struct One {
+    /// The keys and indices that lead to it.
+    steps: Vec<String>,
+    /// The places and values of its numbers.
+    numbers: Vec<(String, f64)>,
 }
+
+/// The parameters of a description.
+struct Given(Vec<One>);
 
 impl Given {
     fn of(description: &BrdfDescription) -> Result<Self, ShaderError> {
-        let mut parameters: Vec<(Vec<String>, Vec<(String, f64)>)> = Vec::new();
+        let mut parameters: Vec<One> = Vec::new();
         description.build_with(|path, value| {
             let text = path.to_string();
             let is_component = text.ends_with(']');
@@ -79,12 +84,12 @@ impl Given {
                 .map(String::from)
                 .collect();
             match parameters.last_mut() {
-                Some((known, numbers)) if *known == steps => numbers.push((text, value)),
-                _ => parameters.push((steps, Vec::from([(text, value)]))),
+                Some(known) if known.steps == steps => known.numbers.push((text, value)),
+                _ => parameters.push(One { steps, numbers: Vec::from([(text, value)]) }),
             }
             value
         })?;
-        Ok(Self { parameters })
+        Ok(Self(parameters))
     }
 
     /// As many of the last steps as no other parameter has, from a key on.
@@ -92,7 +97,7 @@ impl Given {
         let names = (1..=steps.len()).map(|count| &steps[steps.len() - count..]);
         let mut names = names.filter(|name| {
             let begins = |letter: char| letter.is_ascii_alphabetic();
-            let alone = self.parameters.iter().filter(|(other, _)| other.ends_with(name)).count();
+            let alone = self.0.iter().filter(|other| other.steps.ends_with(name)).count();
             // What begins with `brdf` are names of the crate.
             let first = name.first().is_some_and(|step| step.starts_with(begins) && step != "brdf");
             first && alone == 1
@@ -103,7 +108,7 @@ impl Given {
     /// A field for each parameter, and the symbols of its numbers by their places.
     fn symbols(&self, parameters: &mut Parameters) -> BTreeMap<String, Expr> {
         let mut symbols = BTreeMap::new();
-        for (steps, numbers) in &self.parameters {
+        for One { steps, numbers } in &self.0 {
             let name = self.name(steps);
             let values: Vec<f64> = numbers.iter().map(|(_, value)| *value).collect();
             let fields: Vec<Expr> = match *values.as_slice() {

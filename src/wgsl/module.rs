@@ -342,7 +342,8 @@ impl<'a> Names<'a> {
     /// And those of a uniform buffer.
     fn with_parameters(mut self) -> Self {
         let Self { name, .. } = self;
-        self.taken.extend([format!("{name}_parameters"), format!("{}Parameters", camel_case(name))]);
+        self.taken
+            .extend([format!("{name}_parameters"), format!("{}Parameters", camel_case(name))]);
         self
     }
 }

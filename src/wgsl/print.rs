@@ -339,9 +339,9 @@ fn is_truth(operation: Operation, graph: &Graph, of: [Value; 3]) -> bool {
         Operation::Not => true,
         Operation::Component(_) | Operation::Compose => match of[0] {
             Value::Truth(_) | Value::Truths(_) => true,
-            Value::Node(node) => graph
-                .step(node)
-                .is_some_and(|step| is_truth(step.operation, graph, step.of)),
+            Value::Node(node) => {
+                graph.step(node).is_some_and(|step| is_truth(step.operation, graph, step.of))
+            }
             _ => false,
         },
         _ => false,

@@ -59,7 +59,11 @@ fn kept(value: Value, other: Value) -> Value {
         Some(step) if matches!(step.operation, Operation::Add | Operation::Sub) => {
             let [a, b, _] = step.of;
             let undone = other.node().is_some() && (a == other || b == other);
-            if undone { record(Operation::Rounded, [value, Value::ZERO, Value::ZERO], value.width()) } else { value }
+            if undone {
+                record(Operation::Rounded, [value, Value::ZERO, Value::ZERO], value.width())
+            } else {
+                value
+            }
         }
         _ => value,
     }
@@ -72,10 +76,9 @@ pub(super) fn sub(a: Value, b: Value) -> Value {
     if a.is(0.0) {
         return neg(b);
     }
-    if a.known_numbers().is_none() || b.known_numbers().is_none() {
-        if let Some(b) = negated(b).or(positive(b)) {
-            return add(a, b);
-        }
+    let known = a.known_numbers().is_some() && b.known_numbers().is_some();
+    if !known && let Some(b) = negated(b).or(positive(b)) {
+        return add(a, b);
     }
     binary(Operation::Sub, [kept(a, b), kept(b, a)], |a, b| a - b)
 }
@@ -161,11 +164,11 @@ pub(super) fn abs(value: Value) -> Value {
 }
 
 pub(super) fn floor(value: Value) -> Value {
-    unary(Operation::Floor, value, |x| Real::floor(x))
+    unary(Operation::Floor, value, Real::floor)
 }
 
 pub(super) fn sqrt(value: Value) -> Value {
-    unary(Operation::Sqrt, value, |x| Real::sqrt(x))
+    unary(Operation::Sqrt, value, Real::sqrt)
 }
 
 /// A function of the prelude, of numbers: component by component where there are three.
@@ -229,12 +232,10 @@ pub(super) fn component(value: Value, place: u8) -> Value {
         Value::Numbers(numbers) => Value::Number(numbers[usize::from(place.min(2))]),
         Value::Truths(truths) => Value::Truth(truths[usize::from(place.min(2))]),
         Value::Node(node) if node.width != Width::One => match step(node) {
-            Some(step) if step.operation == Operation::Compose => step.of[usize::from(place.min(2))],
-            _ => record(
-                Operation::Component(place),
-                [value, Value::ZERO, Value::ZERO],
-                Width::One,
-            ),
+            Some(step) if step.operation == Operation::Compose => {
+                step.of[usize::from(place.min(2))]
+            }
+            _ => record(Operation::Component(place), [value, Value::ZERO, Value::ZERO], Width::One),
         },
         number => number,
     }

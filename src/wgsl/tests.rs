@@ -29,7 +29,8 @@ fn body(formula: impl FnOnce(ExprVec3) -> Expr) -> String {
 
 #[test]
 fn names_are_those_of_the_language() {
-    for name in ["", "1", "_a", "a_", "a__b", "a-b", "ä", "fn", "self", "vec3", "brdf", "BrdfGold"] {
+    for name in ["", "1", "_a", "a_", "a__b", "a-b", "ä", "fn", "self", "vec3", "brdf", "BrdfGold"]
+    {
         let mut module = Module::new();
         assert_eq!(module.add(name, &white()), Err(ShaderError::Name(name.into())));
         assert!(!module.to_string().contains("fn "));
@@ -72,7 +73,12 @@ fn names_are_taken_once() {
 fn symbols_stay_in_their_function() {
     let kept = Cell::new(Expr::zero());
     let mut module = Module::new();
-    module.add_function("f", ["x"], |(x,): (Expr,)| { kept.set(x); x }).unwrap();
+    module
+        .add_function("f", ["x"], |(x,): (Expr,)| {
+            kept.set(x);
+            x
+        })
+        .unwrap();
     let stolen = kept.get();
     let result = module.add_function("g", ["x"], |(x,): (Expr,)| x + stolen);
     assert_eq!(result, Err(ShaderError::Foreign));
@@ -131,7 +137,10 @@ fn what_is_known_is_computed() {
     assert_eq!(body(|w| w.x().max(-Expr::max_finite())), "return max(w.x, -BRDF_LARGEST);");
     assert_eq!(body(|w| Expr::one() / (w.x() * Expr::zero())), "return BRDF_LARGEST;");
     assert_eq!(body(|w| half() * (w.x() * Expr::from(3.0))), "return w.x * 1.5;");
-    assert_eq!(body(|w| w.x() * Expr::from(1e-30) * Expr::from(1e-30)), "return w.x * 1e-30 * 1e-30;");
+    assert_eq!(
+        body(|w| w.x() * Expr::from(1e-30) * Expr::from(1e-30)),
+        "return w.x * 1e-30 * 1e-30;"
+    );
     assert_eq!(body(|w| w.x().min(Expr::one()).min(half())), "return min(w.x, 0.5);");
     let unit = |x: Expr| x.clamp(Expr::zero(), Expr::one());
     assert_eq!(body(|w| unit(unit(w.x()))), "return brdf_clamped(w.x, 0.0, 1.0);");
@@ -174,9 +183,8 @@ fn channels_are_written_over_vectors() {
     module.add("grey", &OrenNayar::new(Vec3::splat(0.25), 0.3).unwrap().lift(Expr::from)).unwrap();
     assert!(!module.to_string().contains("vec3(0.25"));
     // Channels that differ in their choices too.
-    let formula = |(c,): (ExprVec3,)| {
-        c.map(|c| Expr::select(c.gt(Expr::from(0.5)), c.ln(), c.squared()))
-    };
+    let formula =
+        |(c,): (ExprVec3,)| c.map(|c| Expr::select(c.gt(Expr::from(0.5)), c.ln(), c.squared()));
     let mut module = Module::new();
     module.add_function("f", ["c"], formula).unwrap();
     let text = module.to_string();

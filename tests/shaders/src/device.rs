@@ -5,8 +5,9 @@ use std::env;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 use wgpu::{
     Adapter, Backends, BindGroupDescriptor, BindGroupEntry, BufferDescriptor, BufferUsages,
-    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, Device as Handle, DeviceDescriptor, Instance,
-    InstanceDescriptor, MapMode, PollType, Queue, ShaderModuleDescriptor, ShaderSource,
+    ComputePassDescriptor, ComputePipeline, ComputePipelineDescriptor, Device as Handle,
+    DeviceDescriptor, Instance, InstanceDescriptor, MapMode, PollType, Queue,
+    ShaderModuleDescriptor, ShaderSource,
 };
 
 /// What has to be in the environment where a missing device is no excuse.

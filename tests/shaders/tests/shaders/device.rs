@@ -30,11 +30,7 @@ fn questions(count: usize) -> Vec<Question> {
 
 /// Errors of samples: of the direction, relative of the weight, and of the density against that of
 /// the direction that was drawn.
-fn sample_errors(
-    model: &Model64,
-    question: &Question,
-    got: &Sample<f32, Vec3>,
-) -> [f64; 3] {
+fn sample_errors(model: &Model64, question: &Question, got: &Sample<f32, Vec3>) -> [f64; 3] {
     let wo = question.wo.as_dvec3();
     let want = model.sample(wo, question.u.map(f64::from));
     let weight = (got.weight.as_dvec3() - want.weight).abs().max_element();
@@ -91,8 +87,7 @@ fn shaders_are_as_exact_as_single_precision() {
     println!("{}, {} pairs; in parentheses the crate's f32", device.name, questions.len());
     let pairs: Vec<_> = questions.iter().map(|it| (it.wi, it.wo)).collect();
     let mut failures = Vec::new();
-    for ((row, single), double) in
-        models::rows().iter().zip(models::single()).zip(models::double())
+    for ((row, single), double) in models::rows().iter().zip(models::single()).zip(models::double())
     {
         let mut module = Module::new();
         module.add_described("model", &row.brdf).expect(&row.name);

@@ -132,7 +132,9 @@ fn every_function_is_as_exact_as_it_says() {
     let mut failures = Vec::new();
     for function in functions() {
         let mut module = Module::new();
-        module.add_function("tested", ["x", "y"], |(x, y)| (function.symbol)(x, y)).expect("a name");
+        module
+            .add_function("tested", ["x", "y"], |(x, y)| (function.symbol)(x, y))
+            .expect("a name");
         let given: Vec<f32> = function.arguments.iter().flatten().copied().collect();
         let program = Program {
             text: &module.to_string(),
@@ -143,7 +145,9 @@ fn every_function_is_as_exact_as_it_says() {
         let answers = device.compile(&program).run(&given, None);
         let error = |got: f32, [x, y]: [f32; 2]| {
             let exact = (function.double)(x.into(), y.into());
-            if exact.abs() > f32::MAX.into() || (exact.abs() < f32::MIN_POSITIVE.into() && got.abs() < f32::MIN_POSITIVE) {
+            if exact.abs() > f32::MAX.into()
+                || (exact.abs() < f32::MIN_POSITIVE.into() && got.abs() < f32::MIN_POSITIVE)
+            {
                 return 0.0;
             }
             let beside = function.absolute * (1.0 + f64::from(x.abs()));

@@ -105,11 +105,8 @@ fn fields_lie_where_the_language_puts_them() {
             .iter()
             .map(|member| (member.name.clone().expect("a name"), member.offset as usize))
             .collect();
-        let packed: Vec<_> = uniforms
-            .fields()
-            .iter()
-            .map(|field| (field.name.clone(), field.offset))
-            .collect();
+        let packed: Vec<_> =
+            uniforms.fields().iter().map(|field| (field.name.clone(), field.offset)).collect();
         assert_eq!(offsets, packed, "{}", row.name);
         assert_eq!(uniforms.bytes().len(), span, "{}", row.name);
     }
