@@ -39,6 +39,8 @@ pub mod quadrature;
 mod real;
 mod sampling;
 mod sum;
+#[cfg(feature = "wgsl")]
+pub mod wgsl;
 
 /// The vectors and colours of `f32` and `f64`, in the version that this crate uses.
 pub use glam;

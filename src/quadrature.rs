@@ -124,10 +124,10 @@ where
 }
 
 /// Points of the lattice of [`mean_over_square`] and its step: neighbours in Fibonacci's sequence.
-const LATTICE: u32 = 4181;
-const STEP: u32 = 2584;
+pub(crate) const LATTICE: u32 = 4181;
+pub(crate) const STEP: u32 = 2584;
 /// A row of the sum. The lattice has 37 of them; short sums lose fewer digits than a long one.
-const ROW: u32 = 113;
+pub(crate) const ROW: u32 = 113;
 
 /// The mean of `formula` over the unit square, by the 4181 points of a Fibonacci lattice.
 ///

@@ -1,9 +1,9 @@
 //! What does a model give here? Questions in, answers out, one line of JSON each.
 //!
 //! ```sh
-//! cargo run --release --features serde --example evaluate -- examples/evaluate/questions.jsonl
+//! cargo run --release --features serde,wgsl --example evaluate -- examples/evaluate/questions.jsonl
 //! echo '{"fresnel": {"metal": "Au"}, "cos": 0.5}' |
-//!     cargo run --release --features serde --example evaluate
+//!     cargo run --release --features serde,wgsl --example evaluate
 //! ```
 //!
 //! | question | answer |
@@ -13,6 +13,7 @@
 //! | `{"brdf": B, "wo": […]}` | `{"albedo": [r,g,b]}` |
 //! | `{"fresnel": F, "cos": c}` | `{"reflectance": [r,g,b]}` |
 //! | `{"distribution": D, "h": [x,y,z]}` | `{"density": d}` |
+//! | `{"wgsl": B, "name": "gold"}` | `{"text": "…"}`: `gold_eval`, `gold_pdf`, `gold_sample` in WGSL |
 //! | anything wrong | `{"error": "what, where, what is allowed", "line": n}` |
 //!
 //! B, F and D are the descriptions of the module `brdf::description`. Directions are unit vectors

@@ -1,6 +1,7 @@
 //! One question, a line of JSON, and its answer, another.
 
 use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescription};
+use brdf::wgsl::{Module, ShaderError};
 use brdf::{Brdf, Distribution, Fresnel, Real, Vector};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -57,6 +58,7 @@ enum Answer<T> {
     Albedo { albedo: [T; 3] },
     Reflectance { reflectance: [T; 3] },
     Density { density: T },
+    Text { text: String },
 }
 
 #[derive(Serialize)]
@@ -85,6 +87,10 @@ struct Keys<'a> {
     cos: Option<&'a RawValue>,
     #[serde(borrow, default, deserialize_with = "given")]
     h: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    wgsl: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    name: Option<&'a RawValue>,
 }
 
 /// Unlike an absent value, `null` is a value, of a wrong type.
@@ -98,10 +104,11 @@ enum Question {
     Albedo { brdf: BrdfDescription, wo: [f64; 3] },
     Reflectance { fresnel: FresnelDescription, cos: f64 },
     Density { distribution: DistributionDescription, h: [f64; 3] },
+    Text { brdf: BrdfDescription, name: String },
 }
 
 const KINDS: &str = "a question has the keys brdf, wi, wo; or brdf, wo, u; or brdf, wo; \
-                     or fresnel, cos; or distribution, h";
+                     or fresnel, cos; or distribution, h; or wgsl, name";
 
 impl Question {
     fn read(line: &[u8]) -> Result<Self, String> {
@@ -116,6 +123,8 @@ impl Question {
                 distribution: None,
                 cos: None,
                 h: None,
+                wgsl: None,
+                name: None,
             } => {
                 let brdf = read(line, "brdf", brdf)?;
                 let wo = direction(line, "wo", wo)?;
@@ -137,6 +146,8 @@ impl Question {
                 wo: None,
                 u: None,
                 h: None,
+                wgsl: None,
+                name: None,
             } => Ok(Self::Reflectance {
                 fresnel: read(line, "fresnel", fresnel)?,
                 cos: cosine(line, cos)?,
@@ -150,10 +161,26 @@ impl Question {
                 wo: None,
                 u: None,
                 cos: None,
+                wgsl: None,
+                name: None,
             } => Ok(Self::Density {
                 distribution: read(line, "distribution", distribution)?,
                 h: direction(line, "h", h)?,
             }),
+            Keys {
+                wgsl: Some(brdf),
+                name: Some(name),
+                brdf: None,
+                fresnel: None,
+                distribution: None,
+                wi: None,
+                wo: None,
+                u: None,
+                cos: None,
+                h: None,
+            } => {
+                Ok(Self::Text { brdf: read(line, "wgsl", brdf)?, name: read(line, "name", name)? })
+            }
             _ => Err(KINDS.into()),
         }
     }
@@ -188,6 +215,14 @@ impl Question {
                 let distribution =
                     distribution.build::<T>().map_err(|error| format!("distribution: {error}"))?;
                 Answer::Density { density: distribution.density(vector::<T>(h)) }
+            }
+            Self::Text { brdf, name } => {
+                let mut module = Module::new();
+                module.add_described(name, brdf).map_err(|error| match error {
+                    ShaderError::Description(error) => format!("wgsl: {error}"),
+                    error => error.to_string(),
+                })?;
+                Answer::Text { text: module.to_string() }
             }
         })
     }

@@ -30,5 +30,9 @@ pub mod numbers {}
 pub mod refractive_indices {}
 
 #[cfg_attr(not(doctest), doc = include_str!("links.md"))]
+#[doc = include_str!("../../docs/shaders.md")]
+pub mod shaders {}
+
+#[cfg_attr(not(doctest), doc = include_str!("links.md"))]
 #[doc = include_str!("../../docs/speed.md")]
 pub mod speed {}

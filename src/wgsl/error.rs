@@ -1,0 +1,73 @@
+//! Why there is no text.
+
+use alloc::string::String;
+use core::error::Error;
+use core::fmt;
+
+#[cfg(feature = "serde")]
+use crate::description::DescriptionError;
+use crate::error::ParameterError;
+
+/// What keeps a function from being written.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ShaderError {
+    /// A name that is none in the language of shaders, or begins with `brdf`.
+    Name(String),
+    /// A name that the module has already.
+    Taken(String),
+    /// A name of which the module has no sample function.
+    Unknown(String),
+    /// A symbol of another function, or of another thread.
+    Foreign,
+    /// More operations than text should have: a long loop was written out.
+    TooLong,
+    /// A constant that a constructor does not accept.
+    Parameter(ParameterError),
+    /// A description whose values are not in range in single precision.
+    #[cfg(feature = "serde")]
+    Description(DescriptionError),
+}
+
+impl From<ParameterError> for ShaderError {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl From<DescriptionError> for ShaderError {
+    fn from(error: DescriptionError) -> Self {
+        Self::Description(error)
+    }
+}
+
+impl fmt::Display for ShaderError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Name(name) => write!(
+                f,
+                "name must be a letter, then letters, digits and single underscores, no word of \
+                 WGSL and not begin with `brdf`; it is {name:?}"
+            ),
+            Self::Taken(name) => write!(f, "name {name:?} is in the module already"),
+            Self::Unknown(name) => write!(f, "the module has no model of the name {name:?}"),
+            Self::Foreign => f.write_str("a symbol belongs to another function"),
+            Self::TooLong => f.write_str("the formula has too many operations to be written out"),
+            Self::Parameter(error) => error.fmt(f),
+            #[cfg(feature = "serde")]
+            Self::Description(error) => error.fmt(f),
+        }
+    }
+}
+
+impl Error for ShaderError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Parameter(error) => Some(error),
+            #[cfg(feature = "serde")]
+            Self::Description(error) => Some(error),
+            _ => None,
+        }
+    }
+}

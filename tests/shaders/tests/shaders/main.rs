@@ -1,0 +1,6 @@
+//! Models as the text of shaders: whether it is valid, and what a device makes of it.
+
+mod device;
+mod ends;
+mod prelude;
+mod text;
