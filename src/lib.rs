@@ -32,6 +32,7 @@ pub mod materials;
 pub mod microfacet;
 pub mod parameter;
 pub mod planetary;
+pub mod polarization;
 pub mod quadrature;
 mod real;
 mod sampling;

@@ -12,10 +12,10 @@ pub mod forms;
 mod general_schlick;
 mod interpolation;
 mod normal_incidence;
-mod polarized;
 mod schlick;
 mod term;
 
+pub use crate::polarization::Polarized;
 pub use any::AnyFresnel;
 pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
@@ -23,6 +23,5 @@ pub use dielectric::{Dielectric, dielectric_polarized};
 pub use general_schlick::GeneralSchlick;
 pub use interpolation::{Cook, Hall};
 pub use normal_incidence::{index_from_normal_incidence, normal_incidence};
-pub use polarized::Polarized;
 pub use schlick::Schlick;
 pub use term::Fresnel;
