@@ -33,6 +33,7 @@ pub mod microfacet;
 pub mod parameter;
 pub mod planetary;
 pub mod polarization;
+mod polarized_brdf;
 pub mod quadrature;
 mod real;
 mod sampling;
@@ -56,7 +57,8 @@ pub use distribution::{
 pub use error::{ParameterError, Range};
 pub use frame::Frame;
 pub use fresnel::{
-    AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall, Schlick,
+    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall,
+    Schlick, Stack,
 };
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use microfacet::{
@@ -65,5 +67,6 @@ pub use microfacet::{
 };
 pub use parameter::Parameter;
 pub use planetary::{LommelSeeliger, Minnaert};
+pub use polarized_brdf::PolarizedBrdf;
 pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

@@ -13,9 +13,9 @@ pub const MAX_LAYERS: usize = 64;
 
 /// A plane layer between two others.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Layer<T = f32> {
-    /// The complex index n + ik.
-    pub index: Complex<T>,
+pub struct Layer<V = f32, T = V> {
+    /// The complex index n + ik, a number or one for each channel of a colour.
+    pub index: Complex<V>,
     /// The thickness in nanometres.
     pub thickness: T,
 }
@@ -81,6 +81,11 @@ struct Film<T> {
     waves: T,
 }
 
+/// Whether there may be so many layers.
+pub(crate) fn check_count(layers: usize) -> Result<(), ParameterError> {
+    Range::new(0.0, MAX_LAYERS as f64).check("number of layers", layers as f64)
+}
+
 impl<T: Real> Layers<T> {
     /// Layers in the order in which the light meets them, at a wavelength in nanometres.
     ///
@@ -94,7 +99,7 @@ impl<T: Real> Layers<T> {
         wavelength: T,
     ) -> Result<Self, ParameterError> {
         check_index("outside", outside)?;
-        Range::new(0.0, MAX_LAYERS as f64).check("number of layers", layers.len() as f64)?;
+        check_count(layers.len())?;
         for (position, layer) in layers.iter().enumerate() {
             check_index("index", layer.index)
                 .and_then(|()| range::THICKNESS.check::<T, _>("thickness", layer.thickness))

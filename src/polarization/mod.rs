@@ -41,6 +41,7 @@
 
 mod amplitudes;
 mod complex;
+mod film;
 mod interface;
 mod jones;
 mod layers;
@@ -53,9 +54,13 @@ mod wave;
 
 pub use amplitudes::Amplitudes;
 pub use complex::Complex;
+pub(crate) use film::{Bounces, Film};
 pub use interface::Interface;
 pub use jones::Jones;
+#[cfg(feature = "serde")]
+pub(crate) use layers::check_count;
 pub use layers::{Layer, Layers, MAX_LAYERS};
+pub(crate) use medium::check_index;
 pub use mueller::Mueller;
 pub use plates::{Incoherent, MAX_PLATES, Plates};
 pub use polarized::Polarized;
