@@ -3,7 +3,7 @@ use crate::block::{Block, ColorBlock};
 use crate::colorimetry::xyz_to_linear_srgb;
 use crate::error::{ParameterError, range};
 use crate::parameter::{Kind, Parameter, model};
-use crate::polarization::{Bounces, Complex, Film, check_index};
+use crate::polarization::{Bounces, Complex, check_index};
 use crate::real::{Color, Lift, Real, Vector, in_place};
 
 /// The colour of a thin film integrated over the visible spectrum, by the approximation of Belcour and
@@ -58,9 +58,10 @@ use crate::real::{Color, Lift, Real, Vector, in_place};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BelcourBarla<C = glam::Vec3, T = f32> {
-    film: Film<T>,
-    /// 2d, nm.
-    twice_thickness: T,
+    film: T,
+    thickness: T,
+    substrate: Complex<T>,
+    outside: T,
     /// The colours of X, Y and Z, whose sum is white.
     x: C,
     y: C,
@@ -122,8 +123,7 @@ impl<T: Real, C: Color<T>> BelcourBarla<C, T> {
         let [eta, k] = substrate;
         check_index("substrate", Complex::new(eta, k))?;
         range::ETA.check::<T, _>("outside", outside)?;
-        let film = Film::new(Complex::real(outside), Complex::real(film), Complex::new(eta, k));
-        Ok(Self { film, twice_thickness: thickness + thickness, x, y, z })
+        Ok(Self { film, thickness, substrate: Complex::new(eta, k), outside, x, y, z })
     }
 
     /// XYZ relative to those of a perfect reflector.
@@ -131,8 +131,10 @@ impl<T: Real, C: Color<T>> BelcourBarla<C, T> {
     #[must_use]
     pub fn xyz(&self, cos_theta: T) -> [T; 3] {
         let (zero, one) = (T::zero(), T::one());
-        let Bounces { normal, upper, entering, lower } = self.film.bounces(cos_theta);
-        let path = normal.re * self.twice_thickness;
+        let [outside, film] = [self.outside, self.film].map(Complex::real);
+        let Bounces { normal, upper, entering, lower } =
+            Bounces::new(outside, film, self.substrate, cos_theta);
+        let path = normal.re * (self.thickness + self.thickness);
         let polarized = |upper: Complex<T>, entering: T, lower: Complex<T>| {
             let (r12, r23) = (upper.norm_squared(), lower.norm_squared());
             let rest = one - r12 * r23;
@@ -229,8 +231,10 @@ impl<T: Real, C: Color<T>> Lift<T> for BelcourBarla<C, T> {
 
     fn lift<U: Real>(&self, lift: impl Fn(T) -> U + Copy) -> Self::Over<U> {
         BelcourBarla {
-            film: self.film.lift(lift),
-            twice_thickness: lift(self.twice_thickness),
+            film: lift(self.film),
+            thickness: lift(self.thickness),
+            substrate: self.substrate.lift(lift),
+            outside: lift(self.outside),
             x: self.x.lift(lift),
             y: self.y.lift(lift),
             z: self.z.lift(lift),

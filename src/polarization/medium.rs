@@ -55,6 +55,7 @@ pub(super) struct Medium<T> {
 }
 
 impl<T: Real> Medium<T> {
+    #[inline(always)]
     pub(super) fn new(outside: Complex<T>, front: Complex<T>, index: Complex<T>) -> Self {
         Self {
             index,

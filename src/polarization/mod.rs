@@ -40,11 +40,11 @@
 //! ```
 
 mod amplitudes;
+mod bounces;
+mod coherent;
 mod complex;
-mod film;
 mod interface;
 mod jones;
-mod layers;
 mod medium;
 mod mueller;
 mod plates;
@@ -53,13 +53,13 @@ mod stokes;
 mod wave;
 
 pub use amplitudes::Amplitudes;
+pub(crate) use bounces::Bounces;
+#[cfg(feature = "serde")]
+pub(crate) use coherent::check_count;
+pub use coherent::{Layer, Layers, MAX_LAYERS};
 pub use complex::Complex;
-pub(crate) use film::{Bounces, Film};
 pub use interface::Interface;
 pub use jones::Jones;
-#[cfg(feature = "serde")]
-pub(crate) use layers::check_count;
-pub use layers::{Layer, Layers, MAX_LAYERS};
 pub(crate) use medium::check_index;
 pub use mueller::Mueller;
 pub use plates::{Incoherent, MAX_PLATES, Plates};
