@@ -3,11 +3,14 @@
 use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::diffuse::{Lambert, OrenNayar};
+use crate::direction::Pair;
 use crate::distribution::AnyDistribution;
 use crate::fresnel::AnyFresnel;
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
-use crate::microfacet::{AnyShadowing, CookTorrance, Scaled};
+use crate::microfacet::{AnyShadowing, CookTorrance, Scaled, facet};
 use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::polarization::Mueller;
+use crate::polarized_brdf::times;
 use crate::real::{Color, Real, members};
 use crate::sum::{SumOfTwo, WeightedSum};
 
@@ -59,6 +62,35 @@ members! {
         Printed(Scaled<AnyCookTorrance<T, C>, T>): generic,
         /// A weighted sum of models.
         Sum(WeightedSum<AnyBrdf<T, C>, C, T>): generic,
+    }
+}
+
+impl<T: Real, C: Color<T>> AnyBrdf<T, C> {
+    /// The Mueller matrix of a model that knows how it polarises light, as
+    /// [`PolarizedBrdf::mueller`](crate::PolarizedBrdf::mueller): of facets whose Fresnel term knows
+    /// its [amplitudes](AnyFresnel::amplitudes). `None` of the others.
+    #[must_use]
+    pub fn mueller(&self, wi: T::Vec3, wo: T::Vec3) -> Option<Mueller<C>> {
+        Some(times(self.polarization(wi, wo)?, self.eval(wi, wo)))
+    }
+
+    /// A sample with its Mueller matrix, as
+    /// [`PolarizedBrdf::sample_mueller`](crate::PolarizedBrdf::sample_mueller); `None` as of
+    /// [`mueller`](Self::mueller).
+    #[must_use]
+    pub fn sample_mueller(&self, wo: T::Vec3, u: [T; 2]) -> Option<(Sample<T, C>, Mueller<C>)> {
+        let sample = self.sample(wo, u);
+        Some((sample, times(self.polarization(sample.wi, wo)?, sample.weight)))
+    }
+
+    fn polarization(&self, wi: T::Vec3, wo: T::Vec3) -> Option<Mueller<C>> {
+        let facets = match self {
+            Self::CookTorrance(model) => model,
+            Self::Printed(scaled) => scaled.model(),
+            _ => return None,
+        };
+        let pair = Pair::<T>::new(wi, wo);
+        Some(facet(&pair, facets.fresnel().amplitudes(pair.cos_d)?))
     }
 }
 

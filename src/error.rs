@@ -33,7 +33,7 @@ impl ParameterError {
         range: Range,
         list: &[f64],
     ) -> Result<(), Self> {
-        let at = |position| move |error| Self { position: Some(position), ..error };
+        let at = |position| move |error: Self| error.at(position);
         for (position, value) in list.iter().enumerate() {
             range.check(parameter, *value).map_err(at(position))?;
         }
@@ -47,6 +47,11 @@ impl ParameterError {
             }
         }
         Ok(())
+    }
+
+    /// The same error of a value that stands at a place of a list.
+    pub(crate) const fn at(self, position: usize) -> Self {
+        Self { position: Some(position), ..self }
     }
 
     /// The name of the parameter.
@@ -204,4 +209,8 @@ ranges! {
     HALF_WIDTH = 2e-4, 1.57, "2·10⁻⁴ … 1.57";
     /// Sharpness of the distribution of 1967, 1/degree.
     SHARPNESS_1967 = 1e-5, 1e5, "10⁻⁵ … 10⁵";
+    /// Thickness of a layer, nm.
+    THICKNESS = 0.0, 1e9, "0 … 10⁹";
+    /// Wavelength in vacuum, nm.
+    WAVELENGTH = 1.0, 1e9, "1 … 10⁹";
 }

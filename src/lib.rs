@@ -35,6 +35,8 @@ pub mod materials;
 pub mod microfacet;
 pub mod parameter;
 pub mod planetary;
+pub mod polarization;
+mod polarized_brdf;
 pub mod quadrature;
 mod real;
 mod sampling;
@@ -60,7 +62,8 @@ pub use distribution::{
 pub use error::{ParameterError, Range};
 pub use frame::Frame;
 pub use fresnel::{
-    AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall, Schlick,
+    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall,
+    Schlick, Stack,
 };
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use gradient::{Differentiated, Gradient, gradient};
@@ -70,5 +73,6 @@ pub use microfacet::{
 };
 pub use parameter::Parameter;
 pub use planetary::{LommelSeeliger, Minnaert};
+pub use polarized_brdf::PolarizedBrdf;
 pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::{SumOfTwo, WeightedSum};

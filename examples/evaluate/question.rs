@@ -1,11 +1,18 @@
 //! One question, a line of JSON, and its answer, another.
 
-use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescription};
+use std::collections::BTreeMap;
+
+use brdf::description::{
+    BrdfDescription, DescriptionError, DistributionDescription, FresnelDescription,
+};
+use brdf::polarization::{Amplitudes, Complex, Polarized, Stokes};
 use brdf::wgsl::{Module, ShaderError};
-use brdf::{Brdf, Distribution, Fresnel, Real, Vector};
+use brdf::{AnyFresnel, Brdf, Distribution, Dual, Fresnel, Real, Vector};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::value::RawValue;
+
+use crate::optics::{Element, Matrices, Response, Surface};
 
 /// The number to compute with.
 #[derive(Clone, Copy, Debug)]
@@ -53,12 +60,71 @@ impl Number for f64 {
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Answer<T> {
-    Value { value: [T; 3], pdf: T },
-    Sample { wi: [T; 3], weight: [T; 3], pdf: T },
-    Albedo { albedo: [T; 3] },
-    Reflectance { reflectance: [T; 3] },
-    Density { density: T },
-    Text { text: String },
+    Value {
+        value: [T; 3],
+        pdf: T,
+    },
+    Sample {
+        wi: [T; 3],
+        weight: [T; 3],
+        pdf: T,
+    },
+    Albedo {
+        albedo: [T; 3],
+    },
+    Reflectance {
+        reflectance: [T; 3],
+    },
+    FilmReflectance {
+        reflectance: [T; 3],
+        xyz: [T; 3],
+    },
+    Average {
+        average: [T; 3],
+    },
+    Density {
+        density: T,
+    },
+    Channels {
+        mueller: [[[T; 4]; 4]; 3],
+    },
+    Surface {
+        r: Option<SAndP<[T; 2]>>,
+        t: Option<SAndP<[T; 2]>>,
+        reflectance: SAndP<T>,
+        transmittance: SAndP<T>,
+    },
+    Optics {
+        mueller: [[T; 4]; 4],
+        jones: Option<[[[T; 2]; 2]; 2]>,
+    },
+    Light {
+        stokes: [T; 4],
+        degree_of_polarization: T,
+    },
+    Gradient {
+        value: [T; 3],
+        gradient: BTreeMap<String, [T; 3]>,
+    },
+    Text {
+        text: String,
+    },
+}
+
+#[derive(Serialize)]
+struct SAndP<V> {
+    s: V,
+    p: V,
+}
+
+impl<V> From<Polarized<V>> for SAndP<V> {
+    fn from(both: Polarized<V>) -> Self {
+        Self { s: both.s, p: both.p }
+    }
+}
+
+fn parts<T: Real>(number: Complex<T>) -> [T; 2] {
+    [number.re, number.im]
 }
 
 #[derive(Serialize)]
@@ -88,9 +154,46 @@ struct Keys<'a> {
     #[serde(borrow, default, deserialize_with = "given")]
     h: Option<&'a RawValue>,
     #[serde(borrow, default, deserialize_with = "given")]
+    mueller: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    gradient: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
     wgsl: Option<&'a RawValue>,
     #[serde(borrow, default, deserialize_with = "given")]
     name: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    surface: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    optics: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    stokes: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    wavelength: Option<&'a RawValue>,
+}
+
+impl<'a> Keys<'a> {
+    /// Those that are there, with their values, in this order.
+    fn all(&self) -> Vec<(&'static str, &'a RawValue)> {
+        let keys = [
+            ("brdf", self.brdf),
+            ("mueller", self.mueller),
+            ("gradient", self.gradient),
+            ("wgsl", self.wgsl),
+            ("fresnel", self.fresnel),
+            ("distribution", self.distribution),
+            ("surface", self.surface),
+            ("optics", self.optics),
+            ("wi", self.wi),
+            ("wo", self.wo),
+            ("u", self.u),
+            ("cos", self.cos),
+            ("h", self.h),
+            ("stokes", self.stokes),
+            ("wavelength", self.wavelength),
+            ("name", self.name),
+        ];
+        keys.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
+    }
 }
 
 /// Unlike an absent value, `null` is a value, of a wrong type.
@@ -102,85 +205,70 @@ enum Question {
     Value { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
     Sample { brdf: BrdfDescription, wo: [f64; 3], u: [f64; 2] },
     Albedo { brdf: BrdfDescription, wo: [f64; 3] },
-    Reflectance { fresnel: FresnelDescription, cos: f64 },
-    Density { distribution: DistributionDescription, h: [f64; 3] },
+    Mueller { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
+    Gradient { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
     Text { brdf: BrdfDescription, name: String },
+    Reflectance { fresnel: FresnelDescription, cos: f64 },
+    Average { fresnel: FresnelDescription },
+    Density { distribution: DistributionDescription, h: [f64; 3] },
+    Surface { surface: Surface, cos: f64, wavelength: f64 },
+    Optics { optics: Element, stokes: Option<[f64; 4]>, wavelength: f64 },
 }
 
 const KINDS: &str = "a question has the keys brdf, wi, wo; or brdf, wo, u; or brdf, wo; \
-                     or fresnel, cos; or distribution, h; or wgsl, name";
+                     or mueller, wi, wo; or gradient, wi, wo; or wgsl, name; or fresnel, cos; or fresnel; or distribution, h; \
+                     or surface, cos and perhaps wavelength; \
+                     or optics and perhaps stokes, wavelength";
 
 impl Question {
     fn read(line: &[u8]) -> Result<Self, String> {
         let keys: Keys = serde_json::from_slice(line).map_err(|error| message(&error, 0))?;
-        match keys {
-            Keys {
-                brdf: Some(brdf),
-                wo: Some(wo),
-                wi,
-                u,
-                fresnel: None,
-                distribution: None,
-                cos: None,
-                h: None,
-                wgsl: None,
-                name: None,
-            } => {
-                let brdf = read(line, "brdf", brdf)?;
-                let wo = direction(line, "wo", wo)?;
-                match (wi, u) {
-                    (None, None) => Ok(Self::Albedo { brdf, wo }),
-                    (Some(wi), None) => {
-                        Ok(Self::Value { brdf, wi: direction(line, "wi", wi)?, wo })
-                    }
-                    (None, Some(u)) => Ok(Self::Sample { brdf, wo, u: uniform(line, u)? }),
-                    (Some(_), Some(_)) => Err(KINDS.into()),
-                }
+        let brdf = |value| read(line, "brdf", value);
+        let wi = |value| direction(line, "wi", value);
+        let wo = |value| direction(line, "wo", value);
+        match *keys.all() {
+            [("brdf", it), ("wo", seen)] => Ok(Self::Albedo { brdf: brdf(it)?, wo: wo(seen)? }),
+            [("brdf", it), ("wi", lit), ("wo", seen)] => {
+                Ok(Self::Value { brdf: brdf(it)?, wi: wi(lit)?, wo: wo(seen)? })
             }
-            Keys {
-                fresnel: Some(fresnel),
-                cos: Some(cos),
-                brdf: None,
-                distribution: None,
-                wi: None,
-                wo: None,
-                u: None,
-                h: None,
-                wgsl: None,
-                name: None,
-            } => Ok(Self::Reflectance {
-                fresnel: read(line, "fresnel", fresnel)?,
+            [("brdf", it), ("wo", seen), ("u", u)] => {
+                Ok(Self::Sample { brdf: brdf(it)?, wo: wo(seen)?, u: uniform(line, u)? })
+            }
+            [("mueller", it), ("wi", lit), ("wo", seen)] => {
+                Ok(Self::Mueller { brdf: read(line, "mueller", it)?, wi: wi(lit)?, wo: wo(seen)? })
+            }
+            [("gradient", it), ("wi", lit), ("wo", seen)] => Ok(Self::Gradient {
+                brdf: read(line, "gradient", it)?,
+                wi: wi(lit)?,
+                wo: wo(seen)?,
+            }),
+            [("wgsl", it), ("name", name)] => {
+                Ok(Self::Text { brdf: read(line, "wgsl", it)?, name: read(line, "name", name)? })
+            }
+            [("fresnel", it), ("cos", cos)] => Ok(Self::Reflectance {
+                fresnel: read(line, "fresnel", it)?,
                 cos: cosine(line, cos)?,
             }),
-            Keys {
-                distribution: Some(distribution),
-                h: Some(h),
-                brdf: None,
-                fresnel: None,
-                wi: None,
-                wo: None,
-                u: None,
-                cos: None,
-                wgsl: None,
-                name: None,
-            } => Ok(Self::Density {
-                distribution: read(line, "distribution", distribution)?,
+            [("fresnel", it)] => Ok(Self::Average { fresnel: read(line, "fresnel", it)? }),
+            [("distribution", it), ("h", h)] => Ok(Self::Density {
+                distribution: read(line, "distribution", it)?,
                 h: direction(line, "h", h)?,
             }),
-            Keys {
-                wgsl: Some(brdf),
-                name: Some(name),
-                brdf: None,
-                fresnel: None,
-                distribution: None,
-                wi: None,
-                wo: None,
-                u: None,
-                cos: None,
-                h: None,
-            } => {
-                Ok(Self::Text { brdf: read(line, "wgsl", brdf)?, name: read(line, "name", name)? })
-            }
+            [("surface", it), ("cos", cos), ref rest @ ..] => Ok(Self::Surface {
+                surface: read(line, "surface", it)?,
+                cos: crate::optics::cosine(read(line, "cos", cos)?)?,
+                wavelength: wavelength(line, rest)?,
+            }),
+            [("optics", it), ("stokes", light), ref rest @ ..] => Ok(Self::Optics {
+                optics: read(line, "optics", it)?,
+                stokes: Some(stokes(line, light)?),
+                wavelength: wavelength(line, rest)?,
+            }),
+            [("optics", it), ref rest @ ..] => Ok(Self::Optics {
+                optics: read(line, "optics", it)?,
+                stokes: None,
+                wavelength: wavelength(line, rest)?,
+            }),
             _ => Err(KINDS.into()),
         }
     }
@@ -209,12 +297,33 @@ impl Question {
             }
             Self::Reflectance { fresnel, cos } => {
                 let term = fresnel.build::<T>().map_err(|error| format!("fresnel: {error}"))?;
-                Answer::Reflectance { reflectance: components(term.reflectance(T::lit(*cos))) }
+                let (cos, reflectance) = (T::lit(*cos), term.reflectance(T::lit(*cos)));
+                let reflectance = components(reflectance);
+                match term {
+                    AnyFresnel::BelcourBarla(film) => {
+                        Answer::FilmReflectance { reflectance, xyz: film.xyz(cos) }
+                    }
+                    _ => Answer::Reflectance { reflectance },
+                }
             }
-            Self::Density { distribution, h } => {
-                let distribution =
-                    distribution.build::<T>().map_err(|error| format!("distribution: {error}"))?;
-                Answer::Density { density: distribution.density(vector::<T>(h)) }
+            Self::Average { fresnel } => {
+                let term = fresnel.build::<T>().map_err(|error| format!("fresnel: {error}"))?;
+                Answer::Average { average: components(term.average()) }
+            }
+            Self::Mueller { brdf, wi, wo } => {
+                let model = brdf.build::<T>().map_err(|error| format!("mueller: {error}"))?;
+                let matrix = model.mueller(vector::<T>(wi), vector::<T>(wo)).ok_or(
+                    "mueller: the model must consist of facets with a Fresnel term that knows \
+                     amplitudes: dielectric, conductor, metal, stack",
+                )?;
+                let channel = |channel: usize| {
+                    matrix.rows.map(|row| row.map(|color| components::<T>(color)[channel]))
+                };
+                Answer::Channels { mueller: [channel(0), channel(1), channel(2)] }
+            }
+            Self::Gradient { brdf, wi, wo } => {
+                let (wi, wo) = (vector::<T>(wi), vector::<T>(wo));
+                gradient(brdf, wi, wo).map_err(|error| format!("gradient: {error}"))?
             }
             Self::Text { brdf, name } => {
                 let mut module = Module::new();
@@ -224,8 +333,87 @@ impl Question {
                 })?;
                 Answer::Text { text: module.to_string() }
             }
+            Self::Surface { surface, cos, wavelength } => {
+                let found = surface.response::<T>(*cos, *wavelength);
+                match found.map_err(|error| format!("surface: {error}"))? {
+                    Response::Coherent(found) => {
+                        let Amplitudes { r, t, transmittance } = found;
+                        Answer::Surface {
+                            r: Some(r.map(parts).into()),
+                            t: Some(t.map(parts).into()),
+                            reflectance: found.reflectance().into(),
+                            transmittance: transmittance.into(),
+                        }
+                    }
+                    Response::Incoherent(found) => Answer::Surface {
+                        r: None,
+                        t: None,
+                        reflectance: found.reflectance.into(),
+                        transmittance: found.transmittance.into(),
+                    },
+                }
+            }
+            Self::Optics { optics, stokes, wavelength } => {
+                let matrices = optics.matrices::<T>(*wavelength);
+                let Matrices { mueller, jones } =
+                    matrices.map_err(|error| format!("optics: {error}"))?;
+                match stokes {
+                    Some(light) => {
+                        let light = mueller * Stokes::from(light.map(T::lit));
+                        Answer::Light {
+                            stokes: light.to_array(),
+                            degree_of_polarization: light.degree_of_polarization(),
+                        }
+                    }
+                    None => Answer::Optics {
+                        mueller: mueller.rows,
+                        jones: jones.map(|jones| jones.rows.map(|row| row.map(parts))),
+                    },
+                }
+            }
+            Self::Density { distribution, h } => {
+                let distribution =
+                    distribution.build::<T>().map_err(|error| format!("distribution: {error}"))?;
+                Answer::Density { density: distribution.density(vector::<T>(h)) }
+            }
         })
     }
+}
+
+/// The value for a pair, and its derivatives by every number that the model is made of. The channels of
+/// a colour count as one: each channel of the value depends on its own.
+fn gradient<T: Number>(
+    brdf: &BrdfDescription,
+    wi: T::Vec3,
+    wo: T::Vec3,
+) -> Result<Answer<T>, DescriptionError> {
+    let mut places = Vec::new();
+    let model = brdf.build_with(|path, value| {
+        places.push(path.to_string());
+        T::lit(value)
+    })?;
+    let colors: Vec<String> =
+        places.iter().filter_map(|place| place.strip_suffix("[2]").map(str::to_owned)).collect();
+    let color_of = |place: &str| {
+        let (color, _) = place.rsplit_once('[')?;
+        colors.iter().find(|other| *other == color).cloned()
+    };
+    let counted = |place: &str| color_of(place).unwrap_or_else(|| place.to_owned());
+    let mut gradient = BTreeMap::new();
+    for place in &places {
+        let place = counted(place);
+        if gradient.contains_key(&place) {
+            continue;
+        }
+        let model = brdf.build_with(|path, value| {
+            let moves = counted(&path.to_string()) == place;
+            let value = T::lit(value);
+            if moves { Dual::<T, 1>::variable(value, 0) } else { Dual::constant(value) }
+        })?;
+        let f = model.eval(Dual::vector(wi), Dual::vector(wo));
+        gradient.insert(place, [f.x, f.y, f.z].map(|channel| channel.derivatives[0]));
+    }
+    Ok(Answer::Gradient { value: components(model.eval(wi, wo)), gradient })
 }
 
 /// The value of a key. An error counts its columns from the start of the line.
@@ -281,6 +469,32 @@ fn uniform(line: &[u8], value: &RawValue) -> Result<[f64; 2], String> {
         Some((index, u)) => {
             Err(format!("u[{index}] must be at least 0 and below 1, not {}", shown(*u)))
         }
+    }
+}
+
+/// The wavelength of a question in nanometres, if nothing else follows.
+fn wavelength(line: &[u8], rest: &[(&str, &RawValue)]) -> Result<f64, String> {
+    match *rest {
+        [] => Ok(550.0),
+        [("wavelength", value)] => {
+            let wavelength: f64 = read(line, "wavelength", value)?;
+            if (1.0..=1e9).contains(&wavelength) {
+                Ok(wavelength)
+            } else {
+                Err(format!("wavelength must be between 1 and 1e9, not {}", shown(wavelength)))
+            }
+        }
+        _ => Err(KINDS.into()),
+    }
+}
+
+/// Light that there is: no more of it polarised than all of it, but for rounding.
+fn stokes(line: &[u8], value: &RawValue) -> Result<[f64; 4], String> {
+    let [i, q, u, v]: [f64; 4] = list(line, "stokes", value)?;
+    if (q * q + u * u + v * v).sqrt() <= i * (1.0 + 1e-6) {
+        Ok([i, q, u, v])
+    } else {
+        Err(format!("stokes must have an I of at least √(Q² + U² + V²), not {}", shown(i)))
     }
 }
 

@@ -3,10 +3,12 @@
 use alloc::vec::Vec;
 
 use super::error::{DescriptionError, Problem};
+use super::metal::material;
 use super::path::Path;
 use super::value::{Described, Numbers, Value};
 use crate::error::ParameterError;
 use crate::parameter::Preset;
+use crate::polarization::Complex;
 use crate::real::{Color, Real, Vector};
 
 /// A form, or a term of its list, that is built in a number.
@@ -76,6 +78,46 @@ impl<T: Real> Build<'_, T> {
             (along_x, Some(along_y)) => anisotropic(along_x, along_y),
         };
         self.made(made)
+    }
+
+    /// The index of a medium in each channel, at these wavelengths.
+    pub(super) fn medium(
+        &self,
+        key: &'static str,
+        wavelength: [f64; 3],
+    ) -> Result<Complex<T::Vec3>, DescriptionError> {
+        if let Some((_, Value::Term(described))) = self.described.get(key) {
+            let path = self.path.key(key);
+            if described.text("material").is_empty() {
+                let index = Build { described, path, ..*self };
+                return Ok(Complex::new(index.color("eta")?, index.color("k")?));
+            }
+            let found = material(described.text("material"), wavelength.into());
+            let [eta, k] = found
+                .map_err(|problem| path.key("material").error(problem))?
+                .map(|it| Vector::new(T::lit(it.x), T::lit(it.y), T::lit(it.z)));
+            return Ok(Complex::new(eta, k));
+        }
+        let (eta, k) = self.one_or_two(key)?;
+        Ok(Complex::new(Color::splat(eta), Color::splat(k.unwrap_or(T::zero()))))
+    }
+
+    /// The terms of a key, by what makes each of them.
+    pub(super) fn each<V>(
+        &self,
+        key: &'static str,
+        term: impl Fn(&Build<'_, T>) -> Result<V, DescriptionError>,
+    ) -> Result<Vec<V>, DescriptionError> {
+        let path = self.path.key(key);
+        let terms = match self.described.get(key) {
+            Some((_, Value::List(terms))) => terms.as_slice(),
+            _ => return Err(self.unknown()),
+        };
+        let each = terms.iter().enumerate().map(|(index, value)| match value {
+            Value::Term(described) => term(&Build { described, path: path.index(index), ..*self }),
+            _ => Err(self.unknown()),
+        });
+        each.collect()
     }
 
     pub(super) fn flag(&self, key: &str) -> bool {

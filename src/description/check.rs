@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::error::{DescriptionError, Problem};
-use super::metal::metal;
+use super::metal::{material, metal};
 use super::path::Path;
 use super::value::{Described, Numbers, Value};
 use crate::error::range;
@@ -14,6 +14,8 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
     match described.form.name() {
         "sum" => total(described, "total weight", path),
         "mixture" => total(described, "sum of weights", path),
+        "stack" => stack(described, path),
+        "belcour_barla" => same_in_all_channels(described, &path.key("substrate")),
         "metal" => metal(described.text("name")).map(drop).map_err(|problem| path.error(problem)),
         "cook_torrance" if described.word("shadowing") != "v_cavity" => {
             match described.get("distribution") {
@@ -23,6 +25,43 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
         }
         _ => Ok(()),
     }
+}
+
+/// Whether the materials of a stack are known at its wavelengths.
+fn stack(stack: &Described, path: &Path<'_>) -> Result<(), DescriptionError> {
+    let wavelength = DVec3::from(stack.channels("wavelength"));
+    let known = |described: &Described, key, path: &Path<'_>| match described.get(key) {
+        Some((_, Value::Term(index))) if !index.text("material").is_empty() => {
+            let found = material(index.text("material"), wavelength).map(drop);
+            found.map_err(|problem| path.key(key).key("material").error(problem))
+        }
+        _ => Ok(()),
+    };
+    known(stack, "outside", path)?;
+    if let Some((_, Value::List(layers))) = stack.get("layers") {
+        let path = path.key("layers");
+        for (index, layer) in layers.iter().enumerate() {
+            if let Value::Term(layer) = layer {
+                known(layer, "index", &path.index(index))?;
+            }
+        }
+    }
+    known(stack, "substrate", path)
+}
+
+/// Whether the index of a substrate is the same in all channels.
+fn same_in_all_channels(film: &Described, path: &Path<'_>) -> Result<(), DescriptionError> {
+    let same = match film.get("substrate") {
+        Some((_, Value::Term(index))) if index.text("material").is_empty() => {
+            ["eta", "k"].into_iter().all(|key| {
+                let [red, green, blue] = index.channels(key);
+                red == green && green == blue
+            })
+        }
+        Some((_, Value::Term(_))) => false,
+        _ => true,
+    };
+    if same { Ok(()) } else { Err(path.error(Problem::Dispersion)) }
 }
 
 /// Whether the weights of a list, averaged over their channels, have a sum to divide by. It is

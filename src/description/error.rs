@@ -35,6 +35,8 @@ pub enum Problem {
     Metal(String),
     /// Smith's shadowing with a distribution for which it is not known.
     NoSmith,
+    /// An index that differs between the channels, where it must not.
+    Dispersion,
     /// Sums or mixtures inside each other, too deep.
     TooDeep,
     /// More terms of sums and mixtures than are allowed altogether.
@@ -86,6 +88,10 @@ impl fmt::Display for Problem {
                 "Smith's shadowing is known for beckmann, ggx and mixtures of them; `v_cavity` \
                  fits every distribution",
             ),
+            Self::Dispersion => f.write_str(
+                "must be one index for all wavelengths: a number, [n, k], or the same eta and k in \
+                 all channels",
+            ),
             Self::Unknown => f.write_str("this form cannot be built"),
             Self::TooDeep => {
                 write!(f, "at most {MAX_DEPTH} sums and mixtures may stand inside each other")
@@ -99,7 +105,8 @@ impl fmt::Display for Problem {
 
 /// Whether the parameter is no key but the sum of weights of a list.
 fn is_of_list(error: &ParameterError) -> bool {
-    error.parameter().contains("weight") && error.parameter() != "weight"
+    (error.parameter().contains("weight") && error.parameter() != "weight")
+        || error.parameter() == "number of layers"
 }
 
 impl Error for DescriptionError {}

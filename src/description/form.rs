@@ -2,7 +2,9 @@
 
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
-use crate::fresnel::{Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall};
+use crate::fresnel::{
+    BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Stack,
+};
 use crate::glossy::{BlinnPhong, Phong, SchlickPower};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::planetary::{LommelSeeliger, Minnaert};
@@ -110,7 +112,7 @@ static BRDF: Room = Room {
 
 static FRESNEL: Room = Room {
     name: "FresnelDescription",
-    term: "",
+    term: "Layer",
     expected: "a Fresnel term, such as {\"schlick\": {\"f0\": 0.04}}",
     forms: &FRESNEL_FORMS,
     names: &names(&FRESNEL_FORMS),
@@ -164,7 +166,7 @@ static BRDF_FORMS: [Form; 12] = [
     ]),
 ];
 
-static FRESNEL_FORMS: [Form; 7] = [
+static FRESNEL_FORMS: [Form; 9] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
     form!(Fresnel "dielectric": Keys <Dielectric>::PARAMETERS),
     form!(Fresnel "conductor": Keys <Conductor>::PARAMETERS),
@@ -172,7 +174,20 @@ static FRESNEL_FORMS: [Form; 7] = [
     form!(Fresnel "schlick": Keys <GeneralSchlick>::PARAMETERS),
     form!(Fresnel "hall": Keys <Hall>::PARAMETERS),
     form!(Fresnel "cook": Keys <Cook>::PARAMETERS),
+    form!(Fresnel "stack": Keys <Stack>::PARAMETERS),
+    form!(Fresnel "belcour_barla": Keys <BelcourBarla>::PARAMETERS),
 ];
+
+/// A layer of a stack.
+pub(super) static LAYER: Form = form!(Fresnel "layers": Terms <Stack>::LAYER);
+
+/// An index of each channel.
+pub(super) static INDICES: Form = form!(Fresnel "index": Keys <Conductor>::PARAMETERS);
+
+/// The index of a measured material.
+pub(super) static MATERIAL: Form = form!(Fresnel "index": Keys &[Parameter::new(
+    "material", "", "key, symbol or name of a measured material", Kind::Text,
+)]);
 
 static DISTRIBUTION_FORMS: [Form; 5] = [
     form!(Distribution "gaussian": Keys <Gaussian>::PARAMETERS),

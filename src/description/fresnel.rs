@@ -6,8 +6,10 @@ use super::build::Build;
 use super::error::{DescriptionError, Problem};
 use super::metal::metal;
 use crate::fresnel::{
-    AnyFresnel, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Schlick,
+    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Schlick,
+    Stack,
 };
+use crate::polarization::{Complex, Layer};
 use crate::real::{Real, Vector};
 
 pub(super) fn fresnel<T: Real>(at: &Build<'_, T>) -> Result<AnyFresnel<T>, DescriptionError> {
@@ -49,6 +51,23 @@ pub(super) fn fresnel<T: Real>(at: &Build<'_, T>) -> Result<AnyFresnel<T>, Descr
                     at.made(Cook::with_reference(f0, light, reference))?.into()
                 }
             }
+        }
+        "stack" => {
+            let wavelengths = at.described.channels("wavelength");
+            let layers = at.each("layers", |layer| {
+                let index = layer.medium("index", wavelengths)?;
+                Ok(Layer { index, thickness: layer.number("thickness")? })
+            })?;
+            let outside = at.medium("outside", wavelengths)?;
+            let substrate = at.medium("substrate", wavelengths)?;
+            let wavelength = at.color("wavelength")?;
+            at.made(Stack::new(outside, &layers, substrate, wavelength))?.into()
+        }
+        "belcour_barla" => {
+            let (film, thickness) = (at.number("film")?, at.number("thickness")?);
+            let Complex { re, im } = at.medium("substrate", [f64::NAN; 3])?;
+            let substrate = [re.x(), im.x()];
+            at.made(BelcourBarla::new(film, thickness, substrate, at.number("outside")?))?.into()
         }
         _ => return Err(at.unknown()),
     })

@@ -34,6 +34,11 @@
 //! | `{"schlick": {"f0": C, "f90": 1, "exponent": 5}}` | reflectance at normal and at grazing incidence |
 //! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index; or of a conductor's, `[eta, k]` |
 //! | `{"cook": {"f0": C, "light": C, "ior": 1.5}}` | likewise; contains the light |
+//! | `{"stack": {"outside": 1, "layers": [{"index": I, "thickness": d}, …], "substrate": I, "wavelength": [650, 550, 450]}}` | coherent films, at most 64, lengths in nanometres |
+//! | `{"belcour_barla": {"film": n, "thickness": d, "substrate": I, "outside": 1}}` | a film over the whole spectrum; the index of the substrate is the same in all channels |
+//!
+//! An index I is `n`, or `[n, k]`, or `{"eta": C, "k": C}` for each channel, or that of a measured
+//! material at the wavelengths, `{"material": "Au"}` (feature `materials`).
 //!
 //! | Distribution D | |
 //! |---|---|
@@ -91,6 +96,7 @@ mod error;
 mod form;
 mod fresnel;
 mod leaf;
+mod medium;
 mod metal;
 mod numbers;
 mod path;

@@ -2,6 +2,7 @@
 
 use alloc::string::{String, ToString};
 
+use super::form::Content;
 use super::path::Path;
 use super::value::{Described, Numbers, Value};
 use crate::error::Range;
@@ -42,7 +43,7 @@ pub(super) fn visit_numbers(described: &mut Described, path: &Path<'_>, visit: V
     let form = described.form;
     let parameters = form.parameters();
     for (index, value) in described.values.iter_mut().enumerate() {
-        if let Value::Term(term) = value {
+        if let (Content::Terms(_), Value::Term(term)) = (form.content(), &mut *value) {
             visit_numbers(term, &path.index(index), visit);
             continue;
         }
@@ -60,7 +61,15 @@ pub(super) fn visit_numbers(described: &mut Described, path: &Path<'_>, visit: V
                 }
             }
             Value::Form(part) => visit_numbers(part, &place.key(part.form.name()), visit),
-            Value::Flag(_) | Value::Word(..) | Value::Text(_) | Value::Term(_) => {}
+            Value::Term(part) => visit_numbers(part, place, visit),
+            Value::List(parts) => {
+                for (index, part) in parts.iter_mut().enumerate() {
+                    if let Value::Term(part) = part {
+                        visit_numbers(part, &place.index(index), visit);
+                    }
+                }
+            }
+            Value::Flag(_) | Value::Word(..) | Value::Text(_) => {}
         }
     }
 }

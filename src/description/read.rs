@@ -13,11 +13,14 @@ use serde::de::{
 };
 
 use super::check::{check, has_smith};
-use super::form::{Content, Form, Room};
+use super::error::Problem;
+use super::form::{Content, Form, LAYER, Room};
 use super::leaf::{AllWords, OneOrEach, Text, Word, Words};
+use super::medium::MediumAt;
 use super::place::{Place, Progress, Record};
 use super::value::{Described, Numbers, Value};
 use crate::parameter::{Kind, Parameter, Part, Preset};
+use crate::polarization::check_count;
 
 /// Reads a whole description.
 pub(super) fn read<'de, D: Deserializer<'de>>(part: Part, from: D) -> Result<Described, D::Error> {
@@ -153,6 +156,7 @@ fn default(parameter: &Parameter, given: &[Option<Value>]) -> Option<Value> {
     };
     match parameter.default? {
         Preset::Number(number) => Some(Value::Numbers(Numbers::One(number))),
+        Preset::Color(numbers) => Some(Value::Numbers(Numbers::Three(numbers))),
         Preset::Flag(flag) => Some(Value::Flag(flag)),
         Preset::Word(word) => one_of(word),
         Preset::Shadowing => {
@@ -163,7 +167,7 @@ fn default(parameter: &Parameter, given: &[Option<Value>]) -> Option<Value> {
 }
 
 /// Reads the value of a parameter.
-struct ValueAt<'a>(Place<'a>, &'static Parameter);
+pub(super) struct ValueAt<'a>(pub(super) Place<'a>, pub(super) &'static Parameter);
 
 impl<'de> DeserializeSeed<'de> for ValueAt<'_> {
     type Value = Value;
@@ -172,6 +176,8 @@ impl<'de> DeserializeSeed<'de> for ValueAt<'_> {
         let Self(place, parameter) = self;
         let read = match parameter.kind {
             Kind::Part(part) => FormAt(place, Room::of(part)).deserialize(from).map(Value::Form),
+            Kind::Medium(..) => from.deserialize_any(MediumAt(&place, parameter)),
+            Kind::List(_) => from.deserialize_seq(Layers(&place)).map(Value::List),
             Kind::Flag => bool::deserialize(from).map(Value::Flag),
             Kind::Text => from.deserialize_str(Text).map(Value::Text),
             Kind::Word(words) => {
@@ -231,10 +237,53 @@ impl<'de> DeserializeSeed<'de> for TermAt<'_> {
             list.note_failure();
             D::Error::custom(problem)
         })?;
-        let progress = Progress::default();
-        let keys = Keys { place: &place, form, progress: &progress };
-        let read = from.deserialize_struct(form.room().term, form.keys, keys);
-        let read = progress.explain(&place, &AllKeys(form), read);
-        read.map(Value::Term).inspect_err(|_| place.note_failure())
+        term(&place, form, from)
+    }
+}
+
+/// Reads an object with the keys of a term.
+fn term<'de, D: Deserializer<'de>>(
+    place: &Place<'_>,
+    form: &'static Form,
+    from: D,
+) -> Result<Value, D::Error> {
+    let progress = Progress::default();
+    let keys = Keys { place, form, progress: &progress };
+    let read = from.deserialize_struct(form.room().term, form.keys, keys);
+    let read = progress.explain(place, &AllKeys(form), read);
+    read.map(Value::Term).inspect_err(|_| place.note_failure())
+}
+
+/// The layers of a stack.
+struct Layers<'a>(&'a Place<'a>);
+
+impl<'de> Visitor<'de> for Layers<'_> {
+    type Value = Vec<Value>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list of layers")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<Value>, A::Error> {
+        let mut layers = Vec::new();
+        while let Some(layer) = list.next_element_seed(LayerAt(self.0, layers.len()))? {
+            layers.push(layer);
+        }
+        Ok(layers)
+    }
+}
+
+/// One more layer, if there may be one more.
+struct LayerAt<'a>(&'a Place<'a>, usize);
+
+impl<'de> DeserializeSeed<'de> for LayerAt<'_> {
+    type Value = Value;
+
+    fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Value, D::Error> {
+        let Self(list, index) = self;
+        check_count(index + 1).map_err(|error| {
+            list.refuse::<D::Error>(list.path().error(Problem::Parameter(error)))
+        })?;
+        term(&list.index(index), &LAYER, from)
     }
 }

@@ -25,6 +25,8 @@ pub(super) enum Value {
     Text(String),
     Form(Described),
     Term(Described),
+    /// Terms of a key.
+    List(Vec<Value>),
 }
 
 /// One number for all, or a number for each.
@@ -56,6 +58,17 @@ impl Described {
         if let Some((_, Value::Text(text))) = self.get(key) { text } else { "" }
     }
 
+    /// The numbers of a colour.
+    pub(super) fn channels(&self, key: &str) -> [f64; 3] {
+        match self.get(key) {
+            Some((_, Value::Numbers(Numbers::Three(numbers)))) => *numbers,
+            Some((_, Value::Numbers(Numbers::One(number) | Numbers::Two([number, _])))) => {
+                [*number; 3]
+            }
+            _ => [f64::NAN; 3],
+        }
+    }
+
     /// The word that a parameter is; empty if it is something else.
     pub(super) fn word(&self, key: &str) -> &'static str {
         match self.get(key) {
@@ -84,6 +97,7 @@ impl fmt::Debug for Value {
             Self::Text(text) => text.fmt(f),
             Self::Form(described) => described.fmt(f),
             Self::Term(term) => f.debug_list().entries(&term.values).finish(),
+            Self::List(terms) => terms.fmt(f),
         }
     }
 }

@@ -51,6 +51,7 @@ impl Serialize for Value {
             }
             Self::Text(text) => text.serialize(to),
             Self::Form(described) => described.serialize(to),
+            Self::List(terms) => terms.serialize(to),
             Self::Term(term) => {
                 let name = term.form.room().term;
                 let mut keys = to.serialize_struct(name, term.values.len())?;

@@ -1,11 +1,15 @@
+use super::amplitudes::PolarizedFresnel;
+use super::belcour_barla::BelcourBarla;
 use super::conductor::Conductor;
 use super::constant::Constant;
 use super::dielectric::Dielectric;
 use super::general_schlick::GeneralSchlick;
 use super::interpolation::{Cook, Hall};
 use super::schlick::Schlick;
+use super::stack::Stack;
 use super::term::Fresnel;
 use crate::block::{Block, ColorBlock, CosineBlock};
+use crate::polarization::{Complex, Polarized};
 use crate::real::{Color, Real, call, members};
 
 members! {
@@ -48,6 +52,24 @@ members! {
         Cook(Cook<C, Dielectric<T>>),
         /// Cook's interpolation, driven by an absorbing medium.
         CookOfConductor(Cook<C, Conductor<T>>),
+        /// Coherent films.
+        Stack(Stack<C, T>),
+        /// A film seen in the light of the whole spectrum.
+        BelcourBarla(BelcourBarla<C, T>),
+    }
+}
+
+impl<T: Real, C: Color<T>> AnyFresnel<T, C> {
+    /// r_s and r_p of a term that knows them, as [`PolarizedFresnel::amplitudes`]; `None` of the
+    /// approximations.
+    #[must_use]
+    pub fn amplitudes(&self, cos_theta: T) -> Option<Polarized<Complex<C>>> {
+        match self {
+            Self::Dielectric(term) => Some(term.amplitudes(cos_theta)),
+            Self::Conductor(term) => Some(term.amplitudes(cos_theta)),
+            Self::Stack(term) => Some(term.amplitudes(cos_theta)),
+            _ => None,
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-use super::polarized::Polarized;
 use super::term::{Fresnel, incident_cosine};
 use crate::parameter::model;
+use crate::polarization::Polarized;
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};
 

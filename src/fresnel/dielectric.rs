@@ -1,6 +1,6 @@
-use super::polarized::Polarized;
 use super::term::Fresnel;
 use crate::parameter::model;
+use crate::polarization::Polarized;
 use crate::quadrature::integrate;
 use crate::real::{Color, Real};
 

@@ -42,6 +42,11 @@ pub enum Kind {
     Roughness(Range),
     /// A refractive index: the real part, or the real and the imaginary part.
     Index(Range, Range),
+    /// The refractive index of a medium: a real number, a real and an imaginary part, those of each
+    /// channel, or that of a measured material.
+    Medium(Range, Range),
+    /// A list of objects, each with a key for each parameter.
+    List(&'static [Parameter]),
     /// True or false.
     Flag,
     /// One of a few words.
@@ -70,6 +75,8 @@ pub enum Part {
 pub enum Preset {
     /// Of a number, or of all numbers of a colour, roughness or index.
     Number(f64),
+    /// Of a colour, channel by channel.
+    Color([f64; 3]),
     /// Of a flag.
     Flag(bool),
     /// Of a word.
@@ -101,9 +108,9 @@ impl Kind {
     pub const fn most(self) -> usize {
         match self {
             Self::Number(_) => 1,
-            Self::Roughness(_) | Self::Index(..) => 2,
+            Self::Roughness(_) | Self::Index(..) | Self::Medium(..) => 2,
             Self::Color(_) => 3,
-            Self::Flag | Self::Word(_) | Self::Text | Self::Part(_) => 0,
+            Self::List(_) | Self::Flag | Self::Word(_) | Self::Text | Self::Part(_) => 0,
         }
     }
 
@@ -111,11 +118,12 @@ impl Kind {
     #[must_use]
     pub const fn range(self, index: usize) -> Option<Range> {
         match self {
-            Self::Index(_, k) if index == 1 => Some(k),
+            Self::Index(_, k) | Self::Medium(_, k) if index == 1 => Some(k),
             Self::Number(range)
             | Self::Color(range)
             | Self::Roughness(range)
             | Self::Index(range, _)
+            | Self::Medium(range, _)
                 if index < self.most() =>
             {
                 Some(range)

@@ -7,6 +7,8 @@ mod build;
 mod command;
 mod evaluate;
 mod forms;
+#[path = "../../examples/evaluate/optics.rs"]
+mod optics;
 #[path = "../../examples/evaluate/question.rs"]
 mod question;
 mod refusals;

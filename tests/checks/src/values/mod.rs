@@ -10,6 +10,7 @@ mod limits;
 mod lobes;
 mod microfacet;
 mod planetary;
+mod polarization;
 mod reference;
 
 use std::error::Error;
@@ -48,6 +49,7 @@ fn all<T: Number>() -> Vec<Check> {
         &microfacet::all::<T>(),
         &lobes::all::<T>(),
         &planetary::all::<T>(),
+        &polarization::all::<T>(),
         &limits::all::<T>(),
     ]
     .concat()

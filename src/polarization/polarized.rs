@@ -1,6 +1,6 @@
 use crate::real::Real;
 
-/// Reflectances of the two linear polarisations.
+/// Something for each of the two linear polarisations: reflectances, amplitudes.
 ///
 /// ```
 /// use brdf::fresnel::dielectric_polarized;
@@ -12,10 +12,19 @@ use crate::real::Real;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Polarized<T> {
-    /// R_s: electric field perpendicular (senkrecht) to the plane of incidence.
+    /// Electric field perpendicular (senkrecht) to the plane of incidence.
     pub s: T,
-    /// R_p: electric field parallel to the plane of incidence.
+    /// Electric field parallel to the plane of incidence.
     pub p: T,
+}
+
+impl<T> Polarized<T> {
+    /// What a formula makes of each.
+    #[inline(always)]
+    #[must_use]
+    pub fn map<U>(self, formula: impl Fn(T) -> U) -> Polarized<U> {
+        Polarized { s: formula(self.s), p: formula(self.p) }
+    }
 }
 
 impl<T: Real> Polarized<T> {

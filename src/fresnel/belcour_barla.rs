@@ -1,0 +1,243 @@
+use super::term::Fresnel;
+use crate::block::{Block, ColorBlock};
+use crate::colorimetry::xyz_to_linear_srgb;
+use crate::error::{ParameterError, range};
+use crate::parameter::{Kind, Parameter, model};
+use crate::polarization::{Bounces, Complex, check_index};
+use crate::real::{Color, Lift, Real, Vector, in_place};
+
+/// The colour of a thin film integrated over the visible spectrum, by the approximation of Belcour and
+/// Barla: no grain of three wavelengths, however thick the film.
+///
+/// # Formula
+/// Per polarisation, averaged over both, with R₁₂ and R₂₃ of the two boundaries:
+/// ```text
+/// XYZ = C₀ Ŝ(0, 0) + 2 Σ_{m=1..3} C_m Ŝ(m𝒟, mφ)       𝒟 = 2 n₂ d cosθ₂    φ = arg r₂₁ + arg r₂₃
+/// C₀ = R₁₂ + R*    C_m = (R* − T)(R₁₂R₂₃)^{m/2}        R* = T² R₂₃/(1 − R₁₂R₂₃)    T = 1 − R₁₂
+/// Ŝ(𝒟, φ) = a cos(p w + φ) exp(−v w²)                  w = 2π 𝒟 [nm] 10⁻⁹
+/// ```
+/// a, p and v are fits to the integrals of the colour matching functions, with two terms for X. R = 1
+/// where the film reflects all that arrives. RGB = M·XYZ/M·(1, 1, 1), channel by channel, M the matrix
+/// from XYZ to linear sRGB: XYZ are those of a perfect reflector under equal energy, and white is (1,
+/// 1, 1).
+///
+/// # Parameters
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | n₂ | `film` | index of the film | 10⁻⁴ … 10⁴ |
+/// | d | `thickness` | its thickness, nm | 0 … 10⁹ |
+/// | n₃ | `substrate` | complex index behind the film, at all wavelengths | n 10⁻⁴ … 10⁴, k 0 … 10⁴ |
+/// | n₁ | `outside` | index in front of it | 10⁻⁴ … 10⁴ |
+/// | u | `cos_theta` | cosine of the angle of incidence | −1 … 1, the sign is ignored |
+///
+/// # Energy
+/// Reciprocal. The colours of films leave those that sRGB can show: [`reflectance`](Fresnel::reflectance)
+/// is **not clamped** and has channels below 0 and above 1. Where it is a part of a surface, what is
+/// below 0 counts as 0. White of C₀ = 1 has XYZ of 1.0005, 1.0002, 1.0011.
+///
+/// # Accuracy
+/// The indices do not depend on the wavelength. Against [`Layers`](crate::polarization::Layers) integrated
+/// over the spectrum the series leaves out m > 3, and the fits replace the colour matching functions:
+/// see the tests for the difference.
+///
+/// # Sources
+/// L. Belcour, P. Barla, *A Practical Extension to Microfacet Theory for the Modeling of Varying
+/// Iridescence*, ACM TOG 36(4), 2017, doi:10.1145/3072959.3073620. Their program takes the index of
+/// the substrate as n(1 + iκ), with κ = k/n.
+///
+/// ```
+/// use brdf::{BelcourBarla, Fresnel};
+/// use glam::DVec3;
+///
+/// let soap: BelcourBarla<DVec3, f64> = BelcourBarla::new(1.33, 300.0, [1.0, 0.0], 1.0)?;
+/// let [x, y, z] = soap.xyz(0.8_f64.cos());
+/// assert!((x - 0.0334591938782781).abs() < 1e-14 && (z - 0.0973727238397775).abs() < 1e-14);
+/// assert!(soap.reflectance(0.8_f64.cos()).z > 2.0 * y);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BelcourBarla<C = glam::Vec3, T = f32> {
+    film: T,
+    thickness: T,
+    substrate: Complex<T>,
+    outside: T,
+    /// The colours of X, Y and Z, whose sum is white.
+    x: C,
+    y: C,
+    z: C,
+}
+
+impl<C, T> BelcourBarla<C, T> {
+    /// The table of the parameters.
+    pub const PARAMETERS: &'static [Parameter] = &[
+        model!(@row film: T, ETA, "n₂", "index of the film"),
+        model!(@row thickness: T, THICKNESS, "d", "thickness of the film, nm"),
+        Parameter::new(
+            "substrate",
+            "n₃",
+            "index behind the film, the same in all channels",
+            Kind::Medium(range::ETA, range::K),
+        ),
+        model!(@row outside: T, ETA = 1.0, "n₁", "index in front of the film"),
+    ];
+}
+
+impl<T: Real, C: Color<T> + Vector<T>> BelcourBarla<C, T> {
+    /// A film of index `film` and a thickness in nanometres on a substrate of index n + ik,
+    /// `[n, k]`, seen from a transparent medium.
+    ///
+    /// # Errors
+    /// If `film`, `outside` or n are not in 10⁻⁴ … 10⁴, `thickness` not in 0 … 10⁹ or k not in
+    /// 0 … 10⁴.
+    pub fn new(
+        film: T,
+        thickness: T,
+        substrate: [T; 2],
+        outside: T,
+    ) -> Result<Self, ParameterError> {
+        let color = |x: f64, y: f64, z: f64| {
+            let rgb = xyz_to_linear_srgb(glam::DVec3::new(x, y, z));
+            let white = xyz_to_linear_srgb(glam::DVec3::ONE);
+            C::new(T::lit(rgb.x / white.x), T::lit(rgb.y / white.y), T::lit(rgb.z / white.z))
+        };
+        let colors = [color(1.0, 0.0, 0.0), color(0.0, 1.0, 0.0), color(0.0, 0.0, 1.0)];
+        Self::with_colors(film, thickness, substrate, outside, colors)
+    }
+}
+
+impl<T: Real, C: Color<T>> BelcourBarla<C, T> {
+    /// The same in channels of choice: the colours of X, Y and Z.
+    ///
+    /// # Errors
+    /// As of [`new`](Self::new).
+    pub fn with_colors(
+        film: T,
+        thickness: T,
+        substrate: [T; 2],
+        outside: T,
+        [x, y, z]: [C; 3],
+    ) -> Result<Self, ParameterError> {
+        range::ETA.check::<T, _>("film", film)?;
+        range::THICKNESS.check::<T, _>("thickness", thickness)?;
+        let [eta, k] = substrate;
+        check_index("substrate", Complex::new(eta, k))?;
+        range::ETA.check::<T, _>("outside", outside)?;
+        Ok(Self { film, thickness, substrate: Complex::new(eta, k), outside, x, y, z })
+    }
+
+    /// XYZ relative to those of a perfect reflector.
+    #[inline(always)]
+    #[must_use]
+    pub fn xyz(&self, cos_theta: T) -> [T; 3] {
+        let (zero, one) = (T::zero(), T::one());
+        let [outside, film] = [self.outside, self.film].map(Complex::real);
+        let Bounces { normal, upper, entering, lower } =
+            Bounces::new(outside, film, self.substrate, cos_theta);
+        let path = normal.re * (self.thickness + self.thickness);
+        let polarized = |upper: Complex<T>, entering: T, lower: Complex<T>| {
+            let (r12, r23) = (upper.norm_squared(), lower.norm_squared());
+            let rest = one - r12 * r23;
+            let returns = rest.gt(zero);
+            let later =
+                (entering * entering * r23 / T::select(returns, rest, one)).only_where(returns);
+            // √(R₁₂R₂₃) e^(iφ), whose powers are what the series needs.
+            let turned = -(upper * lower);
+            (r12 + later, later - entering, [turned, turned * turned, turned * turned * turned])
+        };
+        let s = polarized(upper.s, entering.s, lower.s);
+        let p = polarized(upper.p, entering.p, lower.p);
+        let half = T::lit(0.5);
+        let first = (s.0 + p.0) * half;
+        let mut sum = [
+            first * (T::lit(X[0].scale) + T::lit(X[1].scale)),
+            first * T::lit(Y.scale),
+            first * T::lit(Z.scale),
+        ];
+        for order in 0..3 {
+            // Twice C_m, and half of each polarisation.
+            let wave = s.2[order] * s.1 + p.2[order] * p.1;
+            let path = path * T::lit(order as f64 + 1.0);
+            let add = |to: &mut T, lobe: &Lobe| *to = *to + lobe.seen(path, wave);
+            add(&mut sum[0], &X[0]);
+            add(&mut sum[0], &X[1]);
+            add(&mut sum[1], &Y);
+            add(&mut sum[2], &Z);
+        }
+        sum
+    }
+}
+
+/// A Gaussian that stands for a colour matching function over the wave number, and its Fourier
+/// transform.
+struct Lobe {
+    /// val √(2π var)/1.0685·10⁻⁷.
+    scale: f64,
+    /// pos 10⁻⁹: turns for each nanometre of the path.
+    turns: f64,
+    /// var (2π 10⁻⁹)².
+    decay: f64,
+}
+
+const X: [Lobe; 2] = [
+    Lobe { scale: 0.8465900023036574, turns: 1.6810e-3, decay: 1.708546957081381e-7 },
+    Lobe { scale: 0.15386830651283523, turns: 2.2399e-3, decay: 1.7876617059605132e-7 },
+];
+const Y: Lobe = Lobe { scale: 1.0002218935839293, turns: 1.7953e-3, decay: 3.673308844415042e-7 };
+const Z: Lobe = Lobe { scale: 1.0011224857215686, turns: 2.2084e-3, decay: 2.6103524504177177e-7 };
+
+impl Lobe {
+    /// What is seen of a wave of the given amplitude and phase that is behind by a path.
+    #[inline(always)]
+    fn seen<T: Real>(&self, path: T, wave: Complex<T>) -> T {
+        let (sin, cos) = (path * T::lit(self.turns)).sin_cos_turns();
+        let scale = (-(path * path * T::lit(self.decay))).exp() * T::lit(self.scale);
+        (wave.re * cos - wave.im * sin) * scale
+    }
+}
+
+impl<T: Real, C: Color<T>> Fresnel<T> for BelcourBarla<C, T> {
+    type Color = C;
+
+    #[inline(always)]
+    fn reflectance(&self, cos_theta: T) -> C {
+        let [x, y, z] = self.xyz(cos_theta);
+        self.x * x + self.y * y + self.z * z
+    }
+
+    #[inline(always)]
+    fn reflected(&self, cos: T, scale: T) -> C {
+        in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let value = self.reflectance(cos) * scale;
+                value.map(|value| value.clamp(T::zero(), T::max_finite()))
+            },
+        )
+    }
+
+    fn reflected_block(&self, mirrored: Block<'_, T, 2>, values: &mut ColorBlock<T, C>) {
+        let [cos, scale] = mirrored.planes;
+        mirrored.colors(
+            values,
+            #[inline(always)]
+            |index| self.reflected(cos[index], scale[index]),
+        );
+    }
+}
+
+impl<T: Real, C: Color<T>> Lift<T> for BelcourBarla<C, T> {
+    type Over<U: Real> = BelcourBarla<C::Over<U>, U>;
+
+    fn lift<U: Real>(&self, lift: impl Fn(T) -> U + Copy) -> Self::Over<U> {
+        BelcourBarla {
+            film: lift(self.film),
+            thickness: lift(self.thickness),
+            substrate: self.substrate.lift(lift),
+            outside: lift(self.outside),
+            x: self.x.lift(lift),
+            y: self.y.lift(lift),
+            z: self.z.lift(lift),
+        }
+    }
+}
