@@ -418,3 +418,39 @@ fn every_description_builds_a_consistent_model() {
         );
     }
 }
+
+/// Every number that a model is built of is one of the numbers of the description, and they are set one
+/// by one.
+#[test]
+fn numbers_are_those_that_models_are_built_of() {
+    for row in brdf_checks::models::rows() {
+        let text = row.brdf.to_string();
+        let description: BrdfDescription = serde_json::from_str(&text).expect(&text);
+        let numbers = description.numbers();
+        let mut places = 0;
+        let build = description.build_with(|path, value: f64| {
+            let path = path.to_string();
+            let number = numbers.iter().find(|number| number.path == path).expect(&path);
+            assert_eq!(number.value, value, "{path}");
+            assert!((number.range.lower..=number.range.upper).contains(&value), "{path}");
+            places += 1;
+            value
+        });
+        build.expect(&text);
+        assert!(places <= numbers.len(), "{text}");
+        let same = description.with_numbers(|_, value| value).expect(&text);
+        assert_eq!(same, description);
+        let Some(first) = numbers.first() else { continue };
+        let mut range = first.range;
+        range.upper = range.upper.min(range.lower.abs().max(1.0) * 2.0);
+        let other = 0.5 * (range.lower + range.upper);
+        let changed = description
+            .with_numbers(|path, value| if path.to_string() == first.path { other } else { value });
+        // A colour of two channels may not have a sum of weights, and so on: an error is one, too.
+        if let Ok(changed) = changed {
+            assert_eq!(changed.numbers()[0].value, other, "{text}");
+        }
+        let beyond = first.range.upper.next_up().max(first.range.upper + 1.0);
+        assert!(description.with_numbers(|_, _| beyond).is_err(), "{text}");
+    }
+}
