@@ -41,14 +41,16 @@ fn albedo_is_the_integral() {
     for entry in models::double() {
         for theta in angles(6) {
             let wo = from_spherical(theta, 0.7);
-            let integral = albedo(&*entry.model, wo, 1e-5);
+            let integral = albedo(&*entry.model, wo, 3e-6);
             let error = (entry.model.albedo(wo) - integral.value).abs().max_element();
             let promised = entry.promises.albedo_error * integral.value.max_element().max(1.0);
             let context =
                 format!("{} {:8.4}° {error:.1e}: {integral:?}", entry.name, theta.to_degrees());
             println!("{context}");
-            assert!(integral.error <= 1e-5, "{context}");
-            assert!(error <= promised + integral.error, "{context}");
+            assert!(integral.error <= 3e-6, "{context}");
+            // What the cubature says of its error is an estimate: for a narrow lobe of gold at 75° it is
+            // 2.3 times as far off.
+            assert!(error <= promised + 3.0 * integral.error, "{context}");
         }
     }
 }
