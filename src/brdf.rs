@@ -67,8 +67,8 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
     /// radiance 1. For a reciprocal model it is also the fraction reflected of the light that
     /// arrives along `wo`.
     ///
-    /// By default the mean weight of the 4181 samples of a lattice; models that know a closed form
-    /// use it.
+    /// By default the mean weight of the 4181 samples of a lattice, with the
+    /// [derivatives](crate::Dual) of the integral; models that know a closed form use it.
     fn albedo(&self, wo: T::Vec3) -> Self::Color {
         mean_over_square(|u| weight(self, wo, u))
     }
@@ -214,9 +214,20 @@ impl<T: Real> DrawBlock<'_, T> {
 
 /// The weight of one sample. A call, so that the loops of the default albedo do not multiply the
 /// code of the sampler.
+///
+/// The directions of the samples are nodes of a quadrature. They move with the parameters, and
+/// some fall out of it, but the integral has the derivative of its integrand at nodes that stay.
 #[inline(never)]
 fn weight<T: Real, M: Brdf<T> + ?Sized>(model: &M, wo: T::Vec3, u: [T; 2]) -> M::Color {
-    model.sample(wo, u).weight
+    let Sample { wi, weight, pdf } = model.sample(wo, u);
+    if !T::HAS_DERIVATIVES {
+        return weight;
+    }
+    let wi: T::Vec3 = Vector::new(wi.x().held(), wi.y().held(), wi.z().held());
+    let drawn = pdf.gt(T::zero());
+    let scale = wi.z() / T::select(drawn, pdf, T::one()).held();
+    let integrand = (model.eval(wi, wo) * scale).only_where(drawn);
+    weight.zip(integrand, T::with_derivatives_of)
 }
 
 /// A direction drawn by [`Brdf::sample`].

@@ -25,6 +25,7 @@ mod error;
 mod frame;
 pub mod fresnel;
 pub mod glossy;
+mod gradient;
 #[cfg(doc)]
 pub mod guide;
 #[cfg(feature = "materials")]
@@ -60,11 +61,12 @@ pub use fresnel::{
     AnyFresnel, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall, Schlick,
 };
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
+pub use gradient::{Differentiated, Gradient, gradient};
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, Scaled, Shadowing,
     SmithCorrelated, SmithSeparable, VCavity,
 };
 pub use parameter::Parameter;
 pub use planetary::{LommelSeeliger, Minnaert};
-pub use real::{Color, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
+pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::WeightedSum;

@@ -4,7 +4,7 @@ use super::traits::Distribution;
 use crate::error::{ParameterError, Range};
 use crate::parameter::model;
 use crate::real::{Real, Vector};
-use crate::sampling::uniform;
+use crate::sampling::{ln_of_rest, uniform};
 
 model! {
     /// A power of the cosine: the distribution behind the lobes of Phong and Blinn.
@@ -88,9 +88,7 @@ impl<T: Real> Distribution<T> for Blinn<T> {
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
         let [u, turn] = uniform(u);
         // cosθ = (1 − u₀)^(1/(n + 2)) through its logarithm, which gives sinθ all its digits.
-        // exp(−85) is the least power that every number can represent.
-        let ln = (-u).ln_1p().max(T::lit(-85.0));
-        let ln_cos = ln / (self.exponent + T::lit(2.0));
+        let ln_cos = ln_of_rest(u) / (self.exponent + T::lit(2.0));
         let sin = (-(ln_cos + ln_cos).exp_m1()).max(T::zero()).sqrt();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
         Vector::new(sin * cos_phi, sin * sin_phi, ln_cos.exp())

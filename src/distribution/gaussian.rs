@@ -67,7 +67,7 @@ impl<T: Real> Distribution<T> for Gaussian<T> {
         // alone, which the rounding of the length of h does not reach there.
         let from_sine = (h.x().squared() + h.y().squared()) / (one + cos);
         let versine = T::select(cos.lt(T::lit(0.5)), one - cos, from_sine);
-        let exponent = versine.min(one).angle_squared() * self.steepness;
+        let exponent = versine.at_most(one).angle_squared() * self.steepness;
         (self.c * (-exponent).exp()).only_where(above)
     }
 

@@ -12,6 +12,9 @@ const RECURSION: usize = 30;
 /// From this exponent κ on the exponential is kept out of the series.
 const NARROW: f64 = 1.25;
 
+/// A number that is 0 here and that every number can represent.
+const TINY: f64 = 1e-37;
+
 /// Coefficients (−π²)ᵏ/(2k + 1)! of sin(π√s)/(π√s) in powers of s.
 const SINE: [f64; RECURSION] = {
     let mut coefficients = [1.0; RECURSION];
@@ -125,6 +128,20 @@ impl<T: Real> Tilts<T> {
         T::select(below, less, more)
     }
 
+    /// The density of s at t = κs, at least a tiny number, and 1 − s.
+    #[inline(always)]
+    fn density_at(&self, t: T) -> (T, T) {
+        let (one, tiny) = (T::one(), T::lit(TINY));
+        let s = t / self.exponent;
+        let to_end = (self.exponent - t) / self.exponent;
+        // sin(π√s), from the nearer end, and over π√s.
+        let root = s.sqrt();
+        let near_end = s.gt(T::lit(0.25));
+        let angle = T::lit(PI) * T::select(near_end, to_end / (one + root), root);
+        let sine = T::select(root.gt(tiny), angle.sin() / (T::lit(PI) * root).max(tiny), one);
+        (((-t).exp() * sine * self.density).max(tiny), to_end)
+    }
+
     /// The angle, as a multiple of α, up to which the part `u` of the facets lies.
     ///
     /// The unknown is t = θ_h²/α², whose density exp(−t) sin(2θ_h)/(2θ_h) is nearly exponential. The
@@ -133,7 +150,7 @@ impl<T: Real> Tilts<T> {
     /// the square root for wide ones, which end at π/2 in a parabola.
     #[inline(always)]
     pub(super) fn angle(&self, u: T) -> T {
-        let (zero, one, two, tiny) = (T::zero(), T::one(), T::lit(2.0), T::lit(1e-37));
+        let (zero, one, two, tiny) = (T::zero(), T::one(), T::lit(2.0), T::lit(TINY));
         let exponent = self.exponent;
         // Beyond t = 49 lies less than 10⁻²¹ of the facets.
         let last = exponent.min(T::lit(49.0));
@@ -155,15 +172,7 @@ impl<T: Real> Tilts<T> {
             #[inline(always)]
             |t: T| {
                 let t = t.clamp(zero, last);
-                let s = t / exponent;
-                let to_end = (exponent - t) / exponent;
-                // sin(π√s), from the nearer end, and over π√s.
-                let root = s.sqrt();
-                let near_end = s.gt(T::lit(0.25));
-                let angle = T::lit(PI) * T::select(near_end, to_end / (one + root), root);
-                let sine =
-                    T::select(root.gt(tiny), angle.sin() / (T::lit(PI) * root).max(tiny), one);
-                let density = ((-t).exp() * sine * self.density).max(tiny);
+                let (density, to_end) = self.density_at(t);
                 // The density bounds the part beyond from both sides. At the end, where that is a
                 // difference of equal numbers, Newton's method would be lost without.
                 let most = T::select(lower_half, one, density * to_end);
@@ -177,7 +186,11 @@ impl<T: Real> Tilts<T> {
                 t + T::select(lower_half, part - facets, straight) * (exponent / density)
             },
         );
-        t.clamp(zero, last).sqrt()
+        let t = t.clamp(zero, last).as_solution_of(|t| {
+            let slope = self.density_at(t).0 / exponent;
+            (self.part(t, lower_half) - part, T::select(lower_half, slope, -slope))
+        });
+        t.sqrt()
     }
 }
 

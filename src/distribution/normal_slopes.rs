@@ -64,7 +64,7 @@ fn visible_slope<T: Real>(cos: T, sin: T, inverse_sin: T, u: T) -> T {
     // C ends in a parabola, which is steepest if exp(−x²) is 1: x cannot be closer to the end.
     let to_end = (rest * inverse_sin * T::lit(SQRT_PI)).sqrt();
     let first = first_guess(cos, sin, part).min(largest - T::lit(1.2) * to_end);
-    if T::SPACING > 1e-9 {
+    let x = if T::SPACING > 1e-9 {
         iterate::<2, _>(
             first,
             #[inline(always)]
@@ -76,7 +76,11 @@ fn visible_slope<T: Real>(cos: T, sin: T, inverse_sin: T, u: T) -> T {
             #[inline(always)]
             |x| equation.step(x),
         )
-    }
+    };
+    x.as_solution_of(|x| {
+        let facing = equation.cos - x * equation.sin;
+        (equation.difference(x), facing * T::lit(FRAC_2_SQRT_PI))
+    })
 }
 
 /// The equation K(x) = `part` of a slope, in which K is also 2 cos − `rest`.
@@ -89,21 +93,25 @@ struct Equation<T> {
 }
 
 impl<T: Real> Equation<T> {
+    /// (K(x) − `part`) exp(x²), with one exponential and nothing that underflows.
+    #[inline(always)]
+    fn difference(&self, x: T) -> T {
+        let below = x.lt(T::zero());
+        let tail = self.cos * x.abs().erfcx();
+        let missing = T::select(below, -self.part, self.rest) * x.squared().exp();
+        let at_zero = self.sin * T::lit(FRAC_1_SQRT_PI);
+        missing + (T::select(below, tail, -tail) + at_zero)
+    }
+
     /// One step of Householder's method of third order.
-    ///
-    /// K is taken times exp(x²), which leaves one exponential and nothing that underflows.
     #[inline(always)]
     fn step(&self, x: T) -> T {
-        let (zero, half, one) = (T::zero(), T::lit(0.5), T::one());
+        let (half, one) = (T::lit(0.5), T::one());
         // The least `u` belongs to −9.23.
         let x = x.max(T::lit(-9.3));
         let facing = (self.cos - x * self.sin).max(T::lit(1e-20));
         let inverse_facing = one / facing;
-        let below = x.lt(zero);
-        let tail = self.cos * x.abs().erfcx();
-        let missing = T::select(below, -self.part, self.rest) * x.squared().exp();
-        let at_zero = self.sin * T::lit(FRAC_1_SQRT_PI);
-        let difference = missing + (T::select(below, tail, -tail) + at_zero);
+        let difference = self.difference(x);
         // Near the end the difference is all rounding. No step that way can be longer.
         let newton = (difference * (T::lit(0.5 * SQRT_PI) * inverse_facing))
             .max(-half * facing * self.inverse_sin);

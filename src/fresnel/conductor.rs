@@ -133,14 +133,17 @@ impl<T: Real> Refraction<T> {
 
         // The floor stands where q = 0, at a critical angle; it is below the rounding of x² there.
         let modulus_squared = (x * x + y_squared.max(T::lit(1e-37))).sqrt();
+        let propagates = x.ge(T::zero());
+        // Chosen and not |x|, so that both sides of 0 have their slopes.
+        let magnitude = T::select(propagates, x, -x);
         Self {
             cos,
             cos_squared,
             sin_squared,
             modulus_squared,
-            larger: (modulus_squared + x.abs()).sqrt(),
+            larger: (modulus_squared + magnitude).sqrt(),
             product,
-            propagates: x.ge(T::zero()),
+            propagates,
             contrast: contrast.squared() + y_squared,
         }
     }
@@ -180,7 +183,7 @@ impl<T: Real> Refraction<T> {
         let below = self.sum_squared(twice_au, scale).squared() * (mean + cross);
         // At most 1, but for rounding. In `f32` both may underflow where N = 1 but for k < 10⁻¹⁰
         // and u < k; this makes it the 1 of grazing.
-        (self.contrast * scale.squared() * mean / below).min(T::one())
+        (self.contrast * scale.squared() * mean / below).at_most(T::one())
     }
 
     #[inline(always)]
@@ -188,11 +191,11 @@ impl<T: Real> Refraction<T> {
         let (one, (a, b)) = (T::one(), self.parts());
         let twice_au = (a + a) * self.cos;
         let (mean, cross) = self.parallel(twice_au, one);
-        let s = (self.contrast / self.sum_squared(twice_au, one).squared()).min(one);
+        let s = (self.contrast / self.sum_squared(twice_au, one).squared()).at_most(one);
         let real = self.cos * a - self.sin_squared;
         let imaginary = self.cos * b;
         let ratio = (real.squared() + imaginary.squared()) / (mean + cross);
-        Polarized { s, p: s * ratio.min(one) }
+        Polarized { s, p: s * ratio.at_most(one) }
     }
 }
 
@@ -213,5 +216,5 @@ fn average<T: Real>(eta: T, k: T) -> T {
         let above = weighted(split + rest * square) * rest;
         (below + above) * root
     });
-    (integral * T::lit(4.0)).min(one)
+    (integral * T::lit(4.0)).at_most(one)
 }

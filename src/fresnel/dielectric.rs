@@ -110,7 +110,7 @@ impl<T: Real> Interface<T> {
     fn new(ior: T, cos_theta: T) -> Self {
         let (zero, one) = (T::zero(), T::one());
         let from_below = cos_theta.lt(zero);
-        let cos = cos_theta.abs().min(one);
+        let cos = cos_theta.abs().at_most(one);
         let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
 
         // What depends on the index alone is chosen, not computed, for each side.
@@ -142,13 +142,20 @@ impl<T: Real> Interface<T> {
     fn unpolarized(self) -> T {
         let squares = self.cosines.squared() + self.sines.squared();
         let below = (self.sum_squared * (self.cosines + self.sines)).squared();
-        // At most 1, but for rounding and in total reflection: there c² is less than 1 − η².
-        (self.difference.squared() * squares / below).min(T::one())
+        self.bounded(self.difference.squared() * squares / below)
+    }
+
+    /// At most 1, but for rounding and in total reflection: there c² is less than 1 − η², and nothing
+    /// changes.
+    #[inline(always)]
+    fn bounded(&self, reflectance: T) -> T {
+        let one = T::one();
+        T::select(self.total, reflectance.min(one).held(), reflectance.at_most(one))
     }
 
     #[inline(always)]
     fn polarized(self) -> Polarized<T> {
-        let s = (self.difference / self.sum_squared).squared().min(T::one());
+        let s = self.bounded((self.difference / self.sum_squared).squared());
         let cosines = T::select(self.total, T::zero(), self.cosines);
         let ratio = (cosines - self.sines) / (cosines + self.sines);
         Polarized { s, p: s * ratio.squared() }
@@ -177,5 +184,5 @@ fn average<T: Real>(ior: T) -> T {
     let p = rho * one_minus_rho * T::lit(0.5) * length * integral;
     let outside = (s + p) * T::lit(0.5);
     // At most 1, but for rounding.
-    T::select(inside, (one - ior) * (one + ior) + ior * ior * outside, outside).min(one)
+    T::select(inside, (one - ior) * (one + ior) + ior * ior * outside, outside).at_most(one)
 }

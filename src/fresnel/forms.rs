@@ -40,7 +40,7 @@ pub fn gc<T: Real>(ior: T, cos_theta: T) -> T {
     let s = (g - c) / (g + c);
     let ratio = (c * (g + c) - one) / (c * (g - c) + one);
     let reflectance = T::lit(0.5) * s * s * (one + ratio * ratio);
-    T::select(total, one, reflectance.min(one))
+    T::select(total, one, reflectance.at_most(one))
 }
 
 /// The (a, b, u) form for any medium,
@@ -74,7 +74,7 @@ pub fn abu<T: Real>(eta: T, k: T, cos_theta: T) -> T {
         ((u * (a + u) - one).squared() + bu_squared) / ((u * (a - u) + one).squared() + bu_squared);
     let reflectance = T::lit(0.5) * s * (one + ratio);
     let no_surface = ((eta - one).squared() + k * k).le(zero);
-    T::select(no_surface, zero, reflectance.min(one))
+    T::select(no_surface, zero, reflectance.at_most(one))
 }
 
 /// The numbers a and b of [`abu`]: a + ib = √((n + ik)² − sin²θ),

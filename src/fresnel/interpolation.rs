@@ -119,7 +119,7 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
 
     fn average(&self) -> C {
         // At most 1, but for rounding.
-        average_over_cosine(|cos| self.reflectance(cos)).map(|average| average.min(T::one()))
+        average_over_cosine(|cos| self.reflectance(cos)).map(|average| average.at_most(T::one()))
     }
 }
 

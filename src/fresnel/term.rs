@@ -154,5 +154,5 @@ pub(super) fn average_over_cosine<T: Real, C: Color<T>>(reflectance: impl Fn(T) 
 /// product may have made it larger.
 #[inline(always)]
 pub(super) fn incident_cosine<T: Real>(cos_theta: T) -> T {
-    cos_theta.abs().min(T::one())
+    cos_theta.abs().at_most(T::one())
 }

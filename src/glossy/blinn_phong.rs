@@ -7,7 +7,7 @@ use crate::direction::{above_surface, both_above, reflect};
 use crate::parameter::model;
 use crate::quadrature::integrate;
 use crate::real::{Color, Mask, Real, Vector};
-use crate::sampling::uniform;
+use crate::sampling::{ln_of_rest, uniform};
 
 model! {
     /// Blinn's variant of Phong's lobe, around the half vector.
@@ -98,7 +98,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for BlinnPhong<C, T> {
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let (zero, one, two) = (T::zero(), T::one(), T::lit(2.0));
         let [u, turn] = uniform(u);
-        let versine = -((-u).ln_1p() / (self.exponent + two)).exp_m1();
+        let versine = -(ln_of_rest(u) / (self.exponent + two)).exp_m1();
         let sin = (versine * (two - versine)).max(zero).sqrt();
         let cos_h = one - versine;
         let (sin_phi, cos_phi) = turn.sin_cos_turns();

@@ -5,6 +5,7 @@ use core::f64::consts::FRAC_1_PI;
 use crate::direction::above_or_normal;
 use crate::frame::Frame;
 use crate::real::{Real, Vector};
+use crate::sampling::ln_of_rest;
 
 /// 1 − R·V, as |R − V|²/2 with R the mirror direction of `wi`.
 ///
@@ -54,5 +55,5 @@ pub(super) fn mean_cosine<T: Real>(sin_o: T, cos_o: T, versine: T) -> T {
 /// 1 − cos of an angle drawn with density (n + 1)/(2π) cosⁿ per steradian.
 #[inline(always)]
 pub(super) fn sample_power<T: Real>(exponent: T, u: T) -> T {
-    -((-u).ln_1p() / (exponent + T::one())).exp_m1()
+    -(ln_of_rest(u) / (exponent + T::one())).exp_m1()
 }

@@ -89,6 +89,27 @@ fn artanh_excess<T: Real>(h: T) -> (T, T) {
     (y, T::select(small, series, (artanh - y_large) / (y_large * y_large * y_large)))
 }
 
+/// ln h/(h − 1), which is 1 for h = 1: ∫₀¹ dS/(h − hS + S).
+#[inline(always)]
+fn logarithm_over_growth<T: Real>(h: T) -> T {
+    let (y, excess) = artanh_excess(h);
+    T::lit(2.0) / (h + T::one()) * (T::one() + y * y * excess)
+}
+
+/// (eˣ − 1)/x, which is 1 for x = 0.
+#[inline(always)]
+fn growth_over_logarithm<T: Real>(x: T) -> T {
+    let one = T::one();
+    // The series to the last digit for |x| < ½, as above. The quotient has no derivative at 0 and
+    // loses that of its digits around it.
+    let small = x.abs().lt(T::lit(0.5));
+    let reduced = x.only_where(small);
+    let series =
+        (2..16).rev().fold(one, |sum, term| one + sum * reduced * T::lit(1.0 / f64::from(term)));
+    let large = T::select(small, one, x);
+    T::select(small, series, large.exp_m1() / large)
+}
+
 impl<T: Real, C> SchlickPower<C, T> {
     /// The exponent of the density of the samples. Below 1 the lobe is broader than a hemisphere
     /// of equal density, which then serves.
@@ -100,9 +121,7 @@ impl<T: Real, C> SchlickPower<C, T> {
     /// ln h/(h − 1) of the sampled exponent: ∫₀¹ dS/(h − hS + S).
     #[inline(always)]
     fn sampled_integral(&self) -> T {
-        let h = self.sampled_exponent();
-        let (y, excess) = artanh_excess(h);
-        T::lit(2.0) / (h + T::one()) * (T::one() + y * y * excess)
+        logarithm_over_growth(self.sampled_exponent())
     }
 
     /// 1/(h − hS + S) of the sampled exponent, from 1 − S.
@@ -116,18 +135,17 @@ impl<T: Real, C> SchlickPower<C, T> {
     #[inline(always)]
     fn sampled_versine(&self, u: T) -> T {
         let growth = self.sampled_exponent() - T::one();
-        let grows = growth.gt(T::zero());
-        let growth = T::select(grows, growth, T::one());
-        T::select(grows, (u * growth.ln_1p()).exp_m1() / growth, u)
+        let part = u * self.sampled_integral();
+        // The lobe ends at a right angle from the mirror direction.
+        (part * growth_over_logarithm(part * growth)).at_most(T::one())
     }
 
     /// The u for which [`sampled_versine`](Self::sampled_versine) answers this.
     #[inline(always)]
     fn uniform_of_versine(&self, versine: T) -> T {
         let growth = self.sampled_exponent() - T::one();
-        let grows = growth.gt(T::zero());
-        let growth = T::select(grows, growth, T::one());
-        T::select(grows, (growth * versine).ln_1p() / growth.ln_1p(), versine)
+        let part = versine * logarithm_over_growth(T::one() + growth * versine);
+        (part / self.sampled_integral()).at_most(T::one())
     }
 
     /// f cosθᵢ/pdf for kₛ = 1, for a direction at height `cos_i`.

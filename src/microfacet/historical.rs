@@ -172,6 +172,6 @@ where
         F: Fresnel<T>,
     {
         // The BRDF is zero where the clamp takes part.
-        self.eval(wi, wo) * wi.z().clamp(T::zero(), T::one())
+        self.eval(wi, wo) * wi.z().max(T::zero()).at_most(T::one())
     }
 }

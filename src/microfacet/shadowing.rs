@@ -286,7 +286,7 @@ pub(super) fn pdf_of<T: Real>(pair: &Pair<T>, density: T, masking: T) -> T {
 /// directions' lengths.
 #[inline(always)]
 fn cos_d<T: Real>(pair: &Pair<T>) -> T {
-    pair.cos_d.min(T::one())
+    pair.cos_d.at_most(T::one())
 }
 
 macro_rules! forward {

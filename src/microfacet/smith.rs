@@ -136,7 +136,7 @@ impl<T: Real> Areas<T> for SmithCorrelated {
     fn unshadowed_of([area_i, area_o]: [T; 2], pair: &Pair<T>) -> T {
         let seen = pair.cos_o * area_i + pair.cos_i * area_o;
         // At most 1, but for rounding.
-        (pair.cos_i * (pair.cos_o + area_o) / seen).min(T::one())
+        (pair.cos_i * (pair.cos_o + area_o) / seen).at_most(T::one())
     }
 }
 
@@ -158,7 +158,7 @@ impl<T: Real> Areas<T> for SmithSeparable {
     fn unshadowed_of([area_i, _]: [T; 2], pair: &Pair<T>) -> T {
         // At most 1, but for rounding.
         let seen_twice = pair.cos_i + area_i;
-        (T::lit(2.0) * pair.cos_i / seen_twice).min(T::one())
+        (T::lit(2.0) * pair.cos_i / seen_twice).at_most(T::one())
     }
 }
 

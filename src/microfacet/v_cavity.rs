@@ -188,27 +188,49 @@ fn visible_azimuth<T: Real>(k: T, u: T) -> (T, T) {
     let half_width = one.atan2(b);
     let width = half_width * two;
     let target = tau.min(width);
+    let equation = Kepler { a, b, target };
     let x = iterate::<3, _>(
         (target * width).sqrt(),
         #[inline(always)]
         |x: T| {
-            let (sin_half, cos_half) = (x * T::lit(0.5)).sin_cos();
-            let sin = two * sin_half * cos_half;
-            let one_minus_cos = two * sin_half.squared();
-            let value = x - a * sin + b * one_minus_cos - target;
-            let slope = (one - a) + a * one_minus_cos + b * sin;
-            let curvature = a * sin + b * (one - one_minus_cos);
+            let (value, slope, curvature) = equation.at(x);
             let discriminant = T::lit(16.0) * slope.squared() - T::lit(20.0) * value * curvature;
             // Both terms are zero only at the solution x = 0, where the value is zero too.
             let denominator = (slope + discriminant.abs().sqrt()).max(T::lit(1e-30));
             (x - T::lit(5.0) * value / denominator).clamp(zero, width)
         },
     );
+    let x = x.as_solution_of(|x| {
+        let (value, slope, _) = equation.at(x);
+        (value, slope)
+    });
     let both_visible = tau.lt(width);
     let from_behind =
         T::select(both_visible, quarter_turn - half_width + x, quarter_turn + tau * T::lit(0.5));
     let (sin, cos) = from_behind.sin_cos();
     (-cos, sin.copysign(signed))
+}
+
+/// The equation x − a sin x + b (1 − cos x) = `target`.
+struct Kepler<T> {
+    a: T,
+    b: T,
+    target: T,
+}
+
+impl<T: Real> Kepler<T> {
+    /// How far the left side is above the right one, its slope and its curvature.
+    #[inline(always)]
+    fn at(&self, x: T) -> (T, T, T) {
+        let &Self { a, b, target } = self;
+        let (one, two) = (T::one(), T::lit(2.0));
+        let (sin_half, cos_half) = (x * T::lit(0.5)).sin_cos();
+        let sin = two * sin_half * cos_half;
+        let one_minus_cos = two * sin_half.squared();
+        let value = x - a * sin + b * one_minus_cos - target;
+        let slope = (one - a) + a * one_minus_cos + b * sin;
+        (value, slope, a * sin + b * (one - one_minus_cos))
+    }
 }
 
 #[cfg(test)]

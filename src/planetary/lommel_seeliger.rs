@@ -92,7 +92,7 @@ impl<C, T: Real> LommelSeeliger<C, T> {
             circle(place) * (T::lit(6.0) * t * (T::one() - t) * width)
         });
         // What exceeds it is rounding, or a viewer that is no unit vector.
-        (cut + integrate(second, T::one(), circle)).min(T::one())
+        (cut + integrate(second, T::one(), circle)).at_most(T::one())
     }
 }
 

@@ -63,7 +63,7 @@ impl<C, T: Real> Minnaert<C, T> {
     /// cosᵏ⁻¹θ of a direction above the surface; 1 elsewhere. A length above 1 makes no cosine above 1.
     #[inline(always)]
     fn darkening(&self, above: T::Mask, cos: T) -> T {
-        T::select(above, cos.min(T::one()), T::one()).powf(self.k - T::one())
+        T::select(above, cos.at_most(T::one()), T::one()).powf(self.k - T::one())
     }
 }
 

@@ -18,10 +18,16 @@ pub(super) fn density<T: Real>(xi: T, l: T::Vec3, v: T::Vec3) -> T {
     let (one, two) = (T::one(), T::lit(2.0));
     let forward = xi.gt(T::zero());
     let far = Vector::length_squared(Vector::select(forward, l + v, l - v)) * T::lit(0.5);
-    let steepness = xi.abs();
+    let steepness = steepness(xi, forward);
     let root = ((one - steepness).squared() + two * steepness * far).sqrt();
     let p = (one - xi) * (one + xi) / (root.squared() * root);
     p * T::lit(0.25 * FRAC_1_PI)
+}
+
+/// |ξ|, of the side that the formula is chosen for, so that it has its slope at 0 too.
+#[inline(always)]
+fn steepness<T: Real>(xi: T, forward: T::Mask) -> T {
+    T::select(forward, xi, -xi)
 }
 
 /// 1 − cos g and 1 + cos g of a phase angle that is drawn with this density by a number in 0 … 1:
@@ -39,9 +45,10 @@ pub(super) fn sample<T: Real>(xi: T, u: T) -> (T, T) {
 /// The number for which [`sample`] answers this 1 − cos g and 1 + cos g.
 #[inline(always)]
 pub(super) fn distribution<T: Real>(xi: T, (versine, antiversine): (T, T)) -> T {
-    let (one, steepness) = (T::one(), xi.abs());
+    let (one, forward) = (T::one(), xi.gt(T::zero()));
+    let steepness = steepness(xi, forward);
     // 1 + 2ξ cos g + ξ², as in the density.
-    let far = T::select(xi.gt(T::zero()), antiversine, versine);
+    let far = T::select(forward, antiversine, versine);
     let root = ((one - steepness).squared() + T::lit(2.0) * steepness * far).sqrt();
     (one + xi) * antiversine / (root * (one - xi + root))
 }

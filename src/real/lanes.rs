@@ -107,6 +107,7 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
     type Vec3 = Vector3<Self>;
 
     const SPACING: f64 = T::SPACING;
+    const HAS_DERIVATIVES: bool = T::HAS_DERIVATIVES;
 
     #[inline(always)]
     fn lit(value: f64) -> Self {
@@ -152,7 +153,7 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
         (self.map(|turns| turns.sin_cos_turns().0), self.map(|turns| turns.sin_cos_turns().1))
     }
 
-    lane_functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
+    lane_functions!(abs held floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
     lane_functions!(angle_squared erf erfc erfcx ierfc erf_inv);
-    lane_functions_of_two!(min max copysign powf atan2);
+    lane_functions_of_two!(min max at_most with_derivatives_of copysign powf atan2);
 }

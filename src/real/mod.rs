@@ -1,5 +1,6 @@
 //! Numbers: the trait that formulas are written over, and the numbers they run on.
 
+mod dual;
 mod float;
 mod inlining;
 mod lanes;
@@ -11,6 +12,7 @@ mod traits;
 mod vector3;
 mod zero;
 
+pub use dual::Dual;
 pub(crate) use inlining::{call, in_place, iterate};
 pub use lanes::Lanes;
 pub use lift::Lift;

@@ -31,9 +31,9 @@ pub trait Mask: Copy + Debug {
 
 /// The number that every formula of this crate is written over.
 ///
-/// Implemented by `f32`, `f64` and [`Lanes`](crate::Lanes); open to derivatives and traced
-/// expressions. Formulas choose with [`select`](Self::select) and never branch on a value, so the
-/// side that is not taken must be harmless too.
+/// Implemented by `f32`, `f64`, [`Lanes`](crate::Lanes) and [`Dual`](crate::Dual), numbers with
+/// derivatives; open to traced expressions. Formulas choose with [`select`](Self::select) and never
+/// branch on a value, so the side that is not taken must be harmless too.
 ///
 /// The elementary functions of `f32`, `f64` and their lanes are this crate's own: built of
 /// additions, multiplications, divisions and square roots without fused multiply-add, they give
@@ -98,6 +98,9 @@ pub trait Real:
     /// worth taking.
     const SPACING: f64 = f64::EPSILON;
 
+    /// Whether these numbers carry [derivatives](crate::Dual).
+    const HAS_DERIVATIVES: bool = false;
+
     /// The nearest number to a literal.
     #[must_use]
     fn lit(value: f64) -> Self;
@@ -158,6 +161,44 @@ pub trait Real:
     #[must_use]
     fn max(self, other: Self) -> Self {
         Self::select(self.gt(other), self, other)
+    }
+    /// `self`, which exceeds `bound` by rounding at most, without the excess. The value is that of
+    /// [`min`](Self::min), and the derivatives are those of `self`: a bound that the exact formula
+    /// never reaches does not stop it from changing.
+    #[must_use]
+    #[inline(always)]
+    #[track_caller]
+    fn at_most(self, bound: Self) -> Self {
+        self.min(bound)
+    }
+    /// This number as one that nothing changes, without its derivatives.
+    #[must_use]
+    #[inline(always)]
+    fn held(self) -> Self {
+        self
+    }
+    /// The value of this number with the derivatives of another.
+    #[must_use]
+    #[inline(always)]
+    fn with_derivatives_of(self, other: Self) -> Self {
+        let _ = other;
+        self
+    }
+    /// This number x, which an iteration found, as the solution of F(x) = 0: with the derivatives
+    /// that the equation gives it, −∂F/F′, and not those of the steps. They are 0 where F′ is.
+    ///
+    /// The equation answers F(x) and F′(x). Numbers without derivatives do not ask it.
+    #[must_use]
+    #[inline(always)]
+    fn as_solution_of(self, equation: impl FnOnce(Self) -> (Self, Self)) -> Self {
+        if !Self::HAS_DERIVATIVES {
+            return self;
+        }
+        let x = self.held();
+        let (value, slope) = equation(x);
+        let steep = slope.abs().gt(Self::zero());
+        let step = value / Self::select(steep, slope.held(), Self::one());
+        x.with_derivatives_of(x - step.only_where(steep))
     }
     /// Absolute value.
     #[must_use]

@@ -1,7 +1,9 @@
 //! Limits, equivalent forms, energy and published mistakes of every model.
 
+mod derivatives;
 mod distribution_samples;
 mod distributions;
+mod dual;
 mod equivalences;
 mod facets;
 mod frame;

@@ -2,6 +2,7 @@
 //! of.
 
 mod batch;
+mod derivatives;
 mod energy;
 mod mutants;
 mod numbers;

@@ -46,4 +46,4 @@ mod ierfc;
 pub(super) mod single;
 
 pub(super) use erfcx::erfcx;
-pub(crate) use ierfc::ierfc;
+pub(crate) use ierfc::{ierfc, ierfcx};

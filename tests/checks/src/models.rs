@@ -236,6 +236,11 @@ impl Row {
         found
     }
 
+    /// Whether its albedo is a formula and not the mean of samples.
+    pub fn has_exact_albedo(&self) -> bool {
+        self.promises.albedo_error <= Promises::default().albedo_error
+    }
+
     /// What the Rust type of the model is called, without the types of its parts.
     pub fn type_name(&self) -> String {
         self.other_type.clone().unwrap_or_else(|| camel_case(&self.form()))

@@ -3,6 +3,8 @@
 use brdf::Brdf;
 use glam::{DVec3, Vec3};
 
+pub mod derivatives;
+pub mod differences;
 pub mod energy;
 pub mod furnace;
 pub mod hemisphere;

@@ -30,7 +30,7 @@ pub(super) static MUTANTS: [Mutant; 19] = [
     Mutant::new("Conductor", "R_p = R_s: sin² left out", CONDUCTOR,
         "let real = ▸self.cos * a - self.sin_squared;", Sub, PLUS),
     Mutant::new("Conductor", "average without the 2 of 2 ∫ R μ dμ", CONDUCTOR,
-        "▸(integral * T::lit(4.0)).min(one)", Mul, |left, _, _| 2.0 * left),
+        "▸(integral * T::lit(4.0)).at_most(one)", Mul, |left, _, _| 2.0 * left),
     Mutant::new("Conductor", "reflectance at normal incidence without k", NORMAL,
         "    ▸((eta - one).squared() + k_squared) /", Add, LEFT),
     Mutant::new("Dielectric", "sign in the index from normal incidence", NORMAL,
