@@ -89,5 +89,5 @@ fn gradients_of_gold_are_those_of_double_precision() {
         }
     }
     println!("largest error {worst:e}");
-    assert!(worst < 1e-4, "{worst:e}");
+    assert!(worst < 1e-5, "{worst:e}");
 }
