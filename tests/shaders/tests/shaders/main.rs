@@ -2,5 +2,6 @@
 
 mod device;
 mod ends;
+mod gradients;
 mod prelude;
 mod text;

@@ -99,6 +99,26 @@ fn functions() -> Vec<Function> {
         function!(2 powf, 1.6, of_two([tiny, f32::MAX], [-3.0, 3.0])),
         function!(2 atan2, 1.6, of_two([-2.0, 2.0], [-2.0, 2.0])),
         function!(2 copysign, 0.0, of_two([-2.0, 2.0], [-2.0, 2.0])),
+        function!(2 min, 0.0, of_two([-2.0, 2.0], [-2.0, 2.0])),
+        Function {
+            name: "clamp",
+            symbol: |x, y| x.clamp(-y, y),
+            single: |x, y| Real::clamp(x, -y, y),
+            double: |x, y| Real::clamp(x, -y, y),
+            arguments: of_two([-2.0, 2.0], [0.0, 1.0]),
+            bound: 0.0,
+            absolute: 0.0,
+        },
+        // Of values above 1/e.
+        Function {
+            name: "power_of_part",
+            symbol: |x, y| Expr::one().power_of_part(x, y),
+            single: |x, y| 1.0_f32.power_of_part(x, y),
+            double: |x, y| 1.0_f64.power_of_part(x, y),
+            arguments: of_two([1e-30, 1e-3], [0.0, 1000.0]),
+            bound: 3.0,
+            absolute: 0.0,
+        },
         Function {
             name: "sin of turns",
             symbol: |x, _| x.sin_cos_turns().0,
