@@ -52,6 +52,28 @@ impl<T: Real> Pair<T> {
         Self::where_above(wi, wo, both_above::<T>(wi, wo))
     }
 
+    /// The pair as the side of `wo` sees it: where `wo` lies below the surface, both directions are
+    /// mirrored across it, so that a pair below is one above.
+    ///
+    /// ```
+    /// use brdf::Pair;
+    /// use glam::Vec3;
+    ///
+    /// let below = Vec3::new(0.6, 0.0, -0.8);
+    /// let pair = Pair::from_either_side(below, below);
+    /// assert!(pair.above);
+    /// assert_eq!(pair.h, Vec3::new(0.6, 0.0, 0.8));
+    /// ```
+    #[inline(always)]
+    #[must_use]
+    pub fn from_either_side<V: Vector<T>>(wi: V, wo: V) -> Self
+    where
+        T: Real<Vec3 = V>,
+    {
+        let below = wo.z().lt(T::zero());
+        Self::new(turned_over::<T, _>(below, wi), turned_over::<T, _>(below, wo))
+    }
+
     /// [`sum`](Self::sum) alone.
     #[inline(always)]
     pub(crate) fn sum(wi: T::Vec3, wo: T::Vec3) -> T::Vec3 {
@@ -131,6 +153,35 @@ pub fn check_direction<T: Real, V: Vector<T>>(w: V) -> Result<(), ParameterError
 #[must_use]
 pub fn both_above<T: Real>(wi: T::Vec3, wo: T::Vec3) -> T::Mask {
     above_surface::<T, _>(wi).and(above_surface::<T, _>(wo))
+}
+
+/// Where `w` is a direction above or below the surface: its z is not 0 and its squared length lies
+/// within 1 % of 1, as of [`above_surface`].
+///
+/// ```
+/// use glam::Vec3;
+///
+/// assert!(brdf::off_surface(Vec3::new(0.6, 0.0, -0.8)));
+/// assert!(!brdf::off_surface(Vec3::X));
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn off_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
+    let off = Vector::length_squared(w) - T::one();
+    off.abs().le(T::lit(LENGTH_TOLERANCE)).and(w.z().abs().gt(T::zero()))
+}
+
+/// A direction above or below the surface; the normal in the place of any other vector.
+#[inline(always)]
+pub(crate) fn off_surface_or_normal<T: Real, V: Vector<T>>(w: V) -> V {
+    let normal = V::new(T::zero(), T::zero(), T::one());
+    V::select(off_surface::<T, _>(w), w, normal)
+}
+
+/// The mirror image of `w` across the surface where the mask is true, `w` elsewhere.
+#[inline(always)]
+pub(crate) fn turned_over<T: Real, V: Vector<T>>(mask: T::Mask, w: V) -> V {
+    V::new(w.x(), w.y(), T::select(mask, -w.z(), w.z()))
 }
 
 /// A direction above the surface; the normal in the place of any other vector.

@@ -15,6 +15,7 @@ mod any;
 pub mod batch;
 mod block;
 mod brdf;
+mod bsdf;
 pub mod colorimetry;
 #[cfg(feature = "serde")]
 pub mod description;
@@ -30,6 +31,7 @@ pub mod glossy;
 mod gradient;
 #[cfg(doc)]
 pub mod guide;
+pub mod interface;
 #[cfg(feature = "materials")]
 pub mod materials;
 pub mod microfacet;
@@ -49,11 +51,12 @@ pub use glam;
 
 pub use any::{AnyBrdf, AnyCookTorrance};
 pub use brdf::{Brdf, Sample};
+pub use bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
 pub use colorimetry::{Illuminant, Observer};
 pub use diffuse::{Lambert, OrenNayar};
 pub use direction::{
     Pair, Refraction, above_surface, both_above, brewster_angle, check_direction, critical_angle,
-    from_spherical, reflect, refract, to_spherical,
+    from_spherical, off_surface, reflect, refract, to_spherical,
 };
 pub use distribution::{
     AnyDistribution, AnyMixture, Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture,
@@ -67,6 +70,7 @@ pub use fresnel::{
 };
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use gradient::{Differentiated, Gradient, gradient};
+pub use interface::{Opaque, SmoothDielectric, ThinDielectric, TwoSided};
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, DefaultShadowing,
     Scaled, Shadowing, SmithCorrelated, SmithSeparable, VCavity,

@@ -104,6 +104,8 @@ pub fn dielectric_polarized<T: Real>(ior: T, cos_theta: T) -> Polarized<T> {
 struct Interface<T: Real> {
     /// η² − 1, positive when the light enters the denser medium.
     difference: T,
+    /// η².
+    eta_squared: T,
     /// (c + q)².
     sum_squared: T,
     /// c q, which is η cosθ₁ cosθ₂.
@@ -143,7 +145,7 @@ impl<T: Real> Interface<T> {
         let sum_squared = above_zero + (cos_squared + (cosines + cosines));
         let sum_squared = sum_squared.max(T::lit(1e-16));
         let total = q_squared.lt(zero);
-        Self { difference, sum_squared, cosines, sines: sin_squared, total }
+        Self { difference, eta_squared, sum_squared, cosines, sines: sin_squared, total }
     }
 
     /// (R_s + R_p)/2 on one fraction line.
@@ -169,6 +171,38 @@ impl<T: Real> Interface<T> {
         let ratio = (cosines - self.sines) / (cosines + self.sines);
         Polarized { s, p: s * ratio.squared() }
     }
+
+    /// T_s = 4 c q/(c + q)² and T_p = T_s η²/(c q + s²)², without the difference 1 − R; at most 1,
+    /// but for rounding.
+    #[inline(always)]
+    fn transmitted(&self) -> Polarized<T> {
+        let (zero, one) = (T::zero(), T::one());
+        // Without a surface the cosine is in no term; the quotient would lose it at grazing.
+        let none = self.difference.abs().le(zero);
+        let s = T::lit(4.0) * self.cosines / self.sum_squared;
+        let p = s * self.eta_squared / (self.cosines + self.sines).squared();
+        Polarized { s, p }.map(|transmitted| {
+            let transmitted = T::select(none, one, transmitted.at_most(one));
+            T::select(self.total, zero, transmitted)
+        })
+    }
+}
+
+/// What a transparent medium reflects and transmits of unpolarised light, of powers. Both are given
+/// to the last digits, also where one of them vanishes.
+#[inline(always)]
+pub(crate) fn split<T: Real>(ior: T, cos_theta: T) -> [T; 2] {
+    let interface = Interface::new(ior, cos_theta);
+    let transmitted = interface.transmitted().unpolarized();
+    [interface.unpolarized(), transmitted]
+}
+
+/// The same of each polarisation: reflected and transmitted.
+#[inline(always)]
+pub(crate) fn split_polarized<T: Real>(ior: T, cos_theta: T) -> [Polarized<T>; 2] {
+    let interface = Interface::new(ior, cos_theta);
+    let transmitted = interface.transmitted();
+    [interface.polarized(), transmitted]
 }
 
 /// 2 ∫₀¹ R μ dμ for one index.

@@ -206,9 +206,9 @@ pub enum Kinks {
 #[derive(Clone, Copy, Debug)]
 pub struct Mirrored<T> {
     /// The cosine of the angle of incidence on the facet, at most 1.
-    pub(super) cos: T,
+    pub(crate) cos: T,
     /// Zero where there is no reflection.
-    pub(super) scale: T,
+    pub(crate) scale: T,
 }
 
 impl<T: Real> Mirrored<T> {
@@ -228,10 +228,10 @@ impl<T: Real> Mirrored<T> {
 /// A direction drawn by visible normals.
 #[derive(Clone, Copy, Debug)]
 pub struct Draw<T: Real> {
-    pub(super) wi: T::Vec3,
-    pub(super) pdf: T,
+    pub(crate) wi: T::Vec3,
+    pub(crate) pdf: T,
     /// What the weight consists of.
-    pub(super) weight: Mirrored<T>,
+    pub(crate) weight: Mirrored<T>,
 }
 
 impl<T: Real> Draw<T> {

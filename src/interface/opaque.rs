@@ -1,0 +1,83 @@
+use crate::brdf::Brdf;
+use crate::bsdf::{Bsdf, BsdfSample, Power, TransportMode};
+use crate::direction::above_surface;
+use crate::real::{Color, Lift, Real, lift};
+
+use super::side::never;
+
+/// A model of reflection as one over the whole sphere: zero where either direction lies below the
+/// surface.
+///
+/// Reciprocal or not, conserving or not, as the model is. A model that is not reciprocal answers for
+/// importance with the directions exchanged; its samples are those of [`Brdf::sample`], and their
+/// weights take that into account.
+///
+/// ```
+/// use brdf::{Bsdf, Lambert, Opaque, TransportMode};
+/// use glam::Vec3;
+///
+/// let paper = Opaque::new(Lambert::new(Vec3::splat(0.5))?);
+/// assert_eq!(paper.eval(Vec3::Z, -Vec3::Z, TransportMode::Radiance), Vec3::ZERO);
+/// assert_eq!(paper.power(Vec3::Z).reflectance, Vec3::splat(0.5));
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Opaque<M> {
+    model: M,
+}
+
+impl<M> Opaque<M> {
+    /// The model, and nothing below the surface.
+    #[must_use]
+    pub const fn new(model: M) -> Self {
+        Self { model }
+    }
+
+    /// The model.
+    #[must_use]
+    pub const fn model(&self) -> &M {
+        &self.model
+    }
+}
+
+lift! {
+    [T: Real, M: Lift<T>] Opaque<M> => Opaque<M::Over<U>>: Opaque { model: part }
+}
+
+impl<T: Real, M: Brdf<T>> Bsdf<T> for Opaque<M> {
+    type Color = M::Color;
+
+    #[inline(always)]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> M::Color {
+        match mode {
+            TransportMode::Radiance => self.model.eval(wi, wo),
+            TransportMode::Importance => self.model.eval(wo, wi),
+        }
+    }
+
+    #[inline(always)]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> T {
+        self.model.pdf(wi, wo)
+    }
+
+    #[inline(always)]
+    fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> (M::Color, T) {
+        match mode {
+            TransportMode::Radiance => self.model.eval_pdf(wi, wo),
+            TransportMode::Importance => (self.eval(wi, wo, mode), self.model.pdf(wi, wo)),
+        }
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: T::Vec3, [x, y, _]: [T; 3], _: TransportMode) -> BsdfSample<T, M::Color> {
+        let sample = self.model.sample(wo, [x, y]);
+        BsdfSample { wi: sample.wi, weight: sample.weight, pdf: sample.pdf, specular: never::<T>() }
+    }
+
+    /// The albedo, which is the power of a beam if the model is reciprocal.
+    fn power(&self, wo: T::Vec3) -> Power<M::Color> {
+        let none = M::Color::splat(T::zero());
+        let reflectance = self.model.albedo(wo).only_where(above_surface::<T, _>(wo));
+        Power { reflectance, transmittance: none }
+    }
+}

@@ -1,0 +1,75 @@
+//! What the models of this room share: the side of the viewer, and events by chance.
+
+use crate::bsdf::{BsdfSample, Lobe, Lobes, TransportMode};
+use crate::direction::{off_surface, off_surface_or_normal};
+use crate::real::{Color, Mask, Real, Vector};
+
+/// False everywhere.
+#[inline(always)]
+pub(super) fn never<T: Real>() -> T::Mask {
+    T::one().lt(T::zero())
+}
+
+/// The viewer: a direction on either side of the surface.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Viewer<T: Real> {
+    /// The normal in the place of what is no direction.
+    pub(super) wo: T::Vec3,
+    /// Where it is one.
+    pub(super) exists: T::Mask,
+    pub(super) below: T::Mask,
+}
+
+impl<T: Real> Viewer<T> {
+    #[inline(always)]
+    pub(super) fn new(given: T::Vec3) -> Self {
+        let wo = off_surface_or_normal::<T, _>(given);
+        Self { wo, exists: off_surface::<T, _>(given), below: wo.z().lt(T::zero()) }
+    }
+
+    /// The mirror direction.
+    #[inline(always)]
+    pub(super) fn mirrored(&self) -> T::Vec3 {
+        Vector::new(-self.wo.x(), -self.wo.y(), self.wo.z())
+    }
+
+    /// The index on the far side over that on the side of the viewer, of the index below over that
+    /// above.
+    #[inline(always)]
+    pub(super) fn far_over_near(&self, ior: T) -> T {
+        T::select(self.below, T::one() / ior, ior)
+    }
+}
+
+/// What refraction multiplies by: (n_o/n_i)² for radiance, of the index n_i/n_o of the far side.
+#[inline(always)]
+pub(super) fn refraction_scale<T: Real>(far_over_near: T, mode: TransportMode) -> T {
+    match mode {
+        TransportMode::Radiance => (T::one() / far_over_near).squared(),
+        TransportMode::Importance => T::one(),
+    }
+}
+
+/// A sample of two specular lobes of which the first is drawn with the probability `reflectance`, the
+/// power that is reflected, and the other one else. `scale` is what the weight of the second has
+/// beside its probability.
+#[inline(always)]
+pub(super) fn sample_lobes<T: Real, C: Color<T>>(
+    lobes: &Lobes<T, C>,
+    [reflectance, transmittance]: [T; 2],
+    scale: T,
+    u: T,
+    exists: T::Mask,
+) -> BsdfSample<T, C> {
+    let (zero, one) = (T::zero(), T::one());
+    let reflected = u.clamp(zero, one).lt(reflectance).or(transmittance.le(zero));
+    let Lobe { wi: back, .. } = lobes.reflected;
+    let Lobe { wi: through, .. } = lobes.transmitted;
+    let sample = BsdfSample {
+        wi: Vector::select(reflected, back, through),
+        weight: C::splat(T::select(reflected, one, scale)),
+        pdf: zero,
+        specular: exists,
+    };
+    sample.only_where(exists)
+}
