@@ -70,7 +70,10 @@ pub use fresnel::{
 };
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use gradient::{Differentiated, Gradient, gradient};
-pub use interface::{Opaque, SmoothDielectric, ThinDielectric, TwoSided};
+pub use interface::{
+    AnySmith, Opaque, RefractedShadowing, RoughDielectric, SmoothDielectric, ThinDielectric,
+    TwoSided,
+};
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, DefaultShadowing,
     Scaled, Shadowing, SmithCorrelated, SmithSeparable, VCavity,

@@ -19,6 +19,7 @@ pub use cook_torrance::CookTorrance;
 pub use historical::{Blinn1977Printed, CookTorrance1982Printed};
 pub(crate) use polarized::facet;
 pub use scaled::Scaled;
+pub(crate) use shadowing::Kinks;
 pub use shadowing::Shadowing;
 pub use smith::{SmithCorrelated, SmithSeparable};
 pub use usual::DefaultShadowing;

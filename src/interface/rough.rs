@@ -1,0 +1,369 @@
+use super::crossed::RefractedShadowing;
+use super::crossing::Crossing;
+use super::side::{Viewer, never, refraction_scale};
+use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
+use crate::direction::turned_over;
+use crate::distribution::Smith;
+use crate::error::{ParameterError, range};
+use crate::fresnel::split;
+use crate::microfacet::SmithCorrelated;
+use crate::parameter::{Parameter, model};
+use crate::quadrature::integrate;
+use crate::real::{Color, Lift, Mask, Real, Vector, in_place, lift};
+
+/// A rough interface between two transparent media: frosted glass, a surface of small smooth
+/// interfaces.
+///
+/// # Formula
+/// ```text
+/// reflected:    f = F D G/(4 |N·wi| |N·wo|)                                     h ∥ wi + wo
+/// transmitted:  f = |h·wi| |h·wo|/(|N·wi| |N·wo|) · n_o² (1 − F) D G/(n_i h·wi + n_o h·wo)²
+///               h ∥ −(n_i wi + n_o wo)
+/// ```
+///
+/// for radiance, with n_i and n_o the indices on the sides of `wi` and `wo`; for importance n_i² stands
+/// in the place of n_o².
+///
+/// # Parameters
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | D | `distribution` | density of the facets' normals: [`Beckmann`](crate::Beckmann) or [`Ggx`](crate::Ggx) | |
+/// | n | `ior` | index below the surface over that above | 10⁻⁴ … 10⁴ |
+/// | G | `shadowing` | [`SmithCorrelated`]: 1/(1 + Λ(wi) + Λ(wo)) where light is reflected, Euler's B(1 + Λ(wi), 1 + Λ(wo)) where it is refracted; [`SmithSeparable`](crate::SmithSeparable): G₁(wi) G₁(wo) | |
+///
+/// F is Fresnel's reflectance on the facet. With n = 1 there is no interface: value and density are 0
+/// everywhere, and one [specular lobe](Bsdf::specular) of weight 1 passes straight through.
+///
+/// # Energy
+/// Reciprocal, f(wi, wo)/n_o² = f(wo, wi)/n_i², and the forms for radiance and importance are each other's
+/// transposes, both to the last bit. Conserving: R + T ≤ 1; what is missing is light that a real
+/// surface scatters more than once. Measured for n = 1.5, GGX, correlated, at 0° and at 1.4 rad: 0.9988
+/// and 0.942 at roughness 0.1, 0.968 and 0.679 at 0.5, 0.893 and 0.243 at 1. From inside, n = 1/1.5, it
+/// is 0.754 at 0° for roughness 0.5, since a facet that reflects totally loses its light.
+///
+/// # Sampling
+/// By visible normals, and the third number chooses: reflection below F. The density of a draw is
+/// F G₁ D/(4 |N·wo|) or (1 − F) G₁ D/|N·wo| times |h·wo| |h·wi| n_i²/(n_i h·wi + n_o h·wo)², its weight
+/// G/G₁(wo), for radiance times (n_o/n_i)² where it is refracted.
+///
+/// # Power
+/// [`power`](Bsdf::power) is an integral over visible normals by 48 · 48 Gauss–Legendre nodes.
+///
+/// # Limits
+/// One scattering, no absorption, no dispersion. Where a lobe is narrower than the rounding of the
+/// directions a sample keeps its weight but its density is that of the rounded direction.
+///
+/// # Sources
+/// B. Walter, S. R. Marschner, H. Li, K. E. Torrance, "Microfacet models for refraction through rough
+/// surfaces", EGSR 2007, eqs. 16–21 and 38–41,
+/// [doi:10.2312/EGWR/EGSR07/195-206](https://doi.org/10.2312/EGWR/EGSR07/195-206). The beta function:
+/// E. Heitz, "Understanding the masking-shadowing function in microfacet-based BRDFs", JCGT 3(2), 2014,
+/// section 6.3.
+///
+/// ```
+/// use brdf::{Bsdf, Ggx, RoughDielectric, TransportMode};
+/// use glam::DVec3;
+///
+/// let frosted = RoughDielectric::new(Ggx::new(0.3)?, 1.5_f64)?;
+/// let f = frosted.eval(-DVec3::Z, DVec3::Z, TransportMode::Importance);
+/// assert!((f.x - 30.557749073643908 * 2.25).abs() < 1e-12);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[doc(alias("frosted glass", "Walter", "BTDF"))]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RoughDielectric<D, S = SmithCorrelated, C = glam::Vec3, T = f32> {
+    distribution: D,
+    shadowing: S,
+    ior: T,
+    /// What has the channels of the answers: 1.
+    white: C,
+}
+
+impl<T: Real, D: Smith<T>> RoughDielectric<D, SmithCorrelated, T::Vec3, T> {
+    /// An interface with these normals and this index below over that above, with Smith's shadowing
+    /// correlated by height.
+    ///
+    /// # Errors
+    /// If `ior` is not in 10⁻⁴ … 10⁴.
+    pub fn new(distribution: D, ior: T) -> Result<Self, ParameterError> {
+        range::ETA.check("ior", ior)?;
+        Ok(Self { distribution, shadowing: SmithCorrelated, ior, white: Color::splat(T::one()) })
+    }
+}
+
+/// The parameter of the index.
+pub(crate) const IOR: Parameter =
+    model!(@row ior: T, ETA, "n", "index below the surface over that above");
+
+impl<D, S, C, T> RoughDielectric<D, S, C, T> {
+    /// The same interface with another shadowing.
+    #[must_use]
+    pub fn with_shadowing<G>(self, shadowing: G) -> RoughDielectric<D, G, C, T> {
+        let Self { distribution, ior, white, .. } = self;
+        RoughDielectric { distribution, shadowing, ior, white }
+    }
+
+    /// The same interface with answers in other channels.
+    #[must_use]
+    pub fn in_channels<E: Color<T>>(self) -> RoughDielectric<D, S, E, T>
+    where
+        T: Real,
+    {
+        let Self { distribution, shadowing, ior, .. } = self;
+        RoughDielectric { distribution, shadowing, ior, white: E::splat(T::one()) }
+    }
+
+    /// The distribution of the facets' normals.
+    #[must_use]
+    pub const fn distribution(&self) -> &D {
+        &self.distribution
+    }
+
+    /// The shadowing.
+    #[must_use]
+    pub const fn shadowing(&self) -> &S {
+        &self.shadowing
+    }
+
+    /// The index below the surface over that above.
+    #[must_use]
+    pub const fn ior(&self) -> T
+    where
+        T: Copy,
+    {
+        self.ior
+    }
+}
+
+lift! {
+    [T: Real, D: Lift<T>, S: Lift<T>, C: Color<T>] RoughDielectric<D, S, C, T>
+        => RoughDielectric<D::Over<U>, S::Over<U>, C::Over<U>, U>:
+    RoughDielectric { distribution: part, shadowing: part, ior: number, white: color }
+}
+
+/// 1 + Λ up to which refracted light is followed: beyond it there is next to none.
+const HIDDEN: f64 = 1e9;
+
+/// What of a crossing does not depend on its shadowing and on who sees it.
+#[derive(Clone, Copy)]
+struct Refracted<T: Real> {
+    crossing: Crossing<T>,
+    /// (1 − F) D times the spread of directions.
+    scale: T,
+    /// |N·w| + Λ(w) |N·w| of both, above and below.
+    seen: [T; 2],
+    /// 1 + Λ(w) of both.
+    hidden: [T; 2],
+}
+
+/// What happens on a facet with the normal `h`: the draws of both events.
+struct Draws<T: Real> {
+    powers: [T; 2],
+    reflected: BsdfSample<T, T>,
+    refracted: BsdfSample<T, T>,
+}
+
+impl<T, D, S, C> RoughDielectric<D, S, C, T>
+where
+    T: Real,
+    D: Smith<T>,
+    S: RefractedShadowing<T, D>,
+    C: Color<T>,
+{
+    /// Where there is no interface.
+    #[inline(always)]
+    fn is_none(&self) -> T::Mask {
+        let one = T::one();
+        self.ior.le(one).and(self.ior.ge(one))
+    }
+
+    /// The reflectance of a facet at a cosine, seen from above or below.
+    #[inline(always)]
+    fn facet(&self, below: T::Mask, cos: T) -> [T; 2] {
+        split(self.ior, T::select(below, -cos, cos))
+    }
+
+    #[inline(always)]
+    fn refracted(&self, wi: T::Vec3, wo: T::Vec3) -> Refracted<T> {
+        let crossing = Crossing::new(wi, wo, self.ior);
+        let [_, transmitted] = split(self.ior, crossing.cos_above);
+        let density = self.distribution.density_along(crossing.h);
+        let ends = [crossing.above, crossing.below];
+        let areas = ends.map(|w| self.distribution.lambda_cos(w));
+        let [above, below] = ends.map(|w| w.z());
+        let hidden = |area: T, cos: T| T::one() + (area / cos).min(T::lit(HIDDEN - 1.0));
+        Refracted {
+            crossing,
+            scale: (transmitted * crossing.spread * density).min(T::max_finite()),
+            seen: [above + areas[0], below + areas[1]],
+            hidden: [hidden(areas[0], above), hidden(areas[1], below)],
+        }
+    }
+
+    /// The value of refracted light where n_o² counts as 1.
+    #[inline(always)]
+    fn refracted_value(&self, refracted: &Refracted<T>) -> T {
+        let Refracted { crossing, scale, seen, hidden } = *refracted;
+        let value = scale * self.shadowing.refracted(hidden) / (seen[0] * seen[1]);
+        value.min(T::max_finite()).only_where(crossing.exists)
+    }
+
+    /// n² where the viewer is above for importance, or below for radiance; 1 elsewhere.
+    #[inline(always)]
+    fn value_scale(&self, below: T::Mask, mode: TransportMode) -> T {
+        let (one, squared) = (T::one(), self.ior.squared());
+        match mode {
+            TransportMode::Radiance => T::select(below, squared, one),
+            TransportMode::Importance => T::select(below, one, squared),
+        }
+    }
+
+    /// The density of refracted draws.
+    #[inline(always)]
+    fn refracted_pdf(&self, refracted: &Refracted<T>, below: T::Mask) -> T {
+        let Refracted { crossing, scale, seen, .. } = *refracted;
+        let (one, squared) = (T::one(), self.ior.squared());
+        let turned = T::select(below, one / seen[1], squared / seen[0]);
+        (scale * turned).min(T::max_finite()).only_where(crossing.exists)
+    }
+
+    /// The directions as seen from the side of `wo`.
+    #[inline(always)]
+    fn facing(wi: T::Vec3, wo: T::Vec3) -> (T::Mask, [T::Vec3; 2]) {
+        let below = wo.z().lt(T::zero());
+        (below, [turned_over::<T, _>(below, wi), turned_over::<T, _>(below, wo)])
+    }
+
+    #[inline(always)]
+    fn draws(&self, viewer: &Viewer<T>, [x, y]: [T; 2], mode: TransportMode) -> Draws<T> {
+        let (zero, one) = (T::zero(), T::one());
+        let below = viewer.below;
+        let facing: T::Vec3 = turned_over::<T, _>(below, viewer.wo);
+        let h = self.shadowing.sample_visible(&self.distribution, facing, [x, y]);
+        let cos = Vector::dot(facing, h).max(zero).at_most(one);
+
+        let draw = self.shadowing.mirror(&self.distribution, facing, h);
+        let [reflectance, _] = self.facet(below, draw.weight.cos);
+        let reflected = BsdfSample {
+            wi: turned_over::<T, _>(below, draw.wi),
+            weight: draw.weight.scale,
+            pdf: (draw.pdf * reflectance).min(T::max_finite()),
+            specular: never::<T>(),
+        };
+
+        let far_over_near = viewer.far_over_near(self.ior);
+        let inverse = one / far_over_near;
+        let sin_squared = Vector::length_squared(Vector::cross(facing, h));
+        let change = (one - inverse) * (one + inverse) * sin_squared;
+        let cos_t = (cos.squared() + change).max(T::lit(1e-37)).sqrt();
+        let through: T::Vec3 = h * (cos * inverse - cos_t) - facing * inverse;
+        let down = through.z().lt(zero).and(crate::direction::off_surface::<T, _>(through));
+        let through = turned_over::<T, _>(below, through);
+        let parts = self.refracted(through, viewer.wo);
+        let [above, under] = [parts.crossing.above, parts.crossing.below].map(|w| w.z());
+        let lit = T::select(below, above / parts.seen[0], under / parts.seen[1]);
+        let scale = refraction_scale(far_over_near, mode);
+        let weight = self.shadowing.refracted(parts.hidden) * lit.at_most(one) * scale;
+        let refracted = BsdfSample {
+            wi: through,
+            weight: weight.only_where(down),
+            pdf: self.refracted_pdf(&parts, below).only_where(down),
+            specular: never::<T>(),
+        };
+        Draws { powers: self.facet(below, cos), reflected, refracted }
+    }
+}
+
+impl<T, D, S, C> Bsdf<T> for RoughDielectric<D, S, C, T>
+where
+    T: Real,
+    D: Smith<T>,
+    S: RefractedShadowing<T, D>,
+    C: Color<T>,
+{
+    type Color = C;
+
+    #[inline(always)]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> C {
+        let value = in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let (below, [light, viewer]) = Self::facing(wi, wo);
+                let mirrored = self.shadowing.mirrored(&self.distribution, light, viewer);
+                let [reflectance, _] = self.facet(below, mirrored.cos);
+                let refracted = self.refracted_value(&self.refracted(wi, wo));
+                let refracted = (refracted * self.value_scale(below, mode)).min(T::max_finite());
+                // One of them is 0.
+                reflectance * mirrored.scale + refracted
+            },
+        );
+        self.white * value
+    }
+
+    #[inline(always)]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> T {
+        in_place::<T, _>(
+            #[inline(always)]
+            || {
+                let (below, [light, viewer]) = Self::facing(wi, wo);
+                let mirrored = self.shadowing.mirrored(&self.distribution, light, viewer);
+                let [reflectance, _] = self.facet(below, mirrored.cos);
+                let pdf = self.shadowing.pdf(&self.distribution, light, viewer);
+                let refracted = self.refracted_pdf(&self.refracted(wi, wo), below);
+                // One of them is 0.
+                (pdf * reflectance).min(T::max_finite()) + refracted
+            },
+        )
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: T::Vec3, [x, y, u]: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
+        let (zero, one) = (T::zero(), T::one());
+        let viewer = Viewer::<T>::new(wo);
+        let Draws { powers: [reflectance, transmittance], reflected, refracted } = in_place::<T, _>(
+            #[inline(always)]
+            || self.draws(&viewer, [x, y], mode),
+        );
+        let back = u.clamp(zero, one).lt(reflectance).or(transmittance.le(zero));
+        let straight =
+            BsdfSample { wi: -viewer.wo, weight: one, pdf: zero, specular: viewer.exists };
+        let rough = BsdfSample::choose(back, reflected, refracted);
+        let BsdfSample { wi, weight, pdf, specular } =
+            BsdfSample::choose(self.is_none(), straight, rough).only_where(viewer.exists);
+        BsdfSample { wi, weight: self.white * weight, pdf, specular }
+    }
+
+    #[inline(always)]
+    fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, C> {
+        let viewer = Viewer::<T>::new(wo);
+        let mut lobes = Lobes::none(viewer.wo);
+        lobes.transmitted = Lobe { wi: -viewer.wo, weight: self.white };
+        lobes.only_where(viewer.exists.and(self.is_none()))
+    }
+
+    fn power(&self, wo: T::Vec3) -> Power<C> {
+        let viewer = Viewer::<T>::new(wo);
+        let (zero, one) = (T::zero(), T::one());
+        let integral = |reflected: bool| {
+            integrate(zero, one, |x| {
+                integrate(zero, one, |y| {
+                    let draws = self.draws(&viewer, [x, y], TransportMode::Importance);
+                    if reflected {
+                        draws.powers[0] * draws.reflected.weight
+                    } else {
+                        draws.powers[1] * draws.refracted.weight
+                    }
+                })
+            })
+        };
+        let white = |rough: T, straight: T| {
+            let power = T::select(self.is_none(), straight, rough);
+            (self.white * power).only_where(viewer.exists)
+        };
+        Power {
+            reflectance: white(integral(true), zero),
+            transmittance: white(integral(false), one),
+        }
+    }
+}
