@@ -197,6 +197,8 @@ ranges! {
     EXPONENT = 0.0, 1e8, "0 … 10⁸";
     /// Real part of a refractive index.
     ETA = 1e-4, 1e4, "10⁻⁴ … 10⁴";
+    /// Index of a medium that is not rarer than the one around it.
+    DENSER = 1.0, 1e4, "1 … 10⁴";
     /// Imaginary part of a refractive index.
     K = 0.0, 1e4, "0 … 10⁴";
     /// Exponent of the approach to the edge of a Fresnel term.

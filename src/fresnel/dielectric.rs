@@ -206,7 +206,7 @@ pub(crate) fn split_polarized<T: Real>(ior: T, cos_theta: T) -> [Polarized<T>; 2
 }
 
 /// 2 ∫₀¹ R μ dμ for one index.
-fn average<T: Real>(ior: T) -> T {
+pub(crate) fn average<T: Real>(ior: T) -> T {
     let (zero, one, two) = (T::zero(), T::one(), T::lit(2.0));
     let inside = ior.lt(one);
     let n = T::select(inside, one / ior, ior);

@@ -26,7 +26,7 @@ pub use belcour_barla::BelcourBarla;
 pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
 pub use dielectric::{Dielectric, dielectric_polarized};
-pub(crate) use dielectric::{split, split_polarized};
+pub(crate) use dielectric::{average as dielectric_average, split, split_polarized};
 pub use general_schlick::GeneralSchlick;
 pub use interpolation::{Cook, Hall};
 pub use normal_incidence::{index_from_normal_incidence, normal_incidence};

@@ -1,18 +1,24 @@
 //! Surfaces over the whole sphere of directions: interfaces between two media, mirrors, and what makes
 //! a [`Brdf`](crate::Brdf) a [`Bsdf`](crate::Bsdf).
 
+mod any;
 mod beta;
 mod crossed;
 mod crossing;
+mod mirror;
 mod opaque;
+mod plastic;
 mod rough;
 mod side;
 mod smooth;
 mod thin;
 mod two_sided;
 
+pub use any::AnyBsdf;
 pub use crossed::{AnySmith, RefractedShadowing};
+pub use mirror::Mirror;
 pub use opaque::Opaque;
+pub use plastic::Plastic;
 pub use rough::RoughDielectric;
 pub use smooth::SmoothDielectric;
 pub use thin::ThinDielectric;

@@ -48,7 +48,8 @@ use crate::real::{Color, Lift, Mask, Real, Vector, in_place, lift};
 /// G/G₁(wo), for radiance times (n_o/n_i)² where it is refracted.
 ///
 /// # Power
-/// [`power`](Bsdf::power) is an integral over visible normals by 48 · 48 Gauss–Legendre nodes.
+/// [`power`](Bsdf::power) is an integral over visible normals by 16 panels of 48 · 48 Gauss–Legendre
+/// nodes: within 2·10⁻⁴ of the mean of 2·10⁶ draws, up to 1.4 rad from either side, mostly within 2·10⁻⁵.
 ///
 /// # Limits
 /// One scattering, no absorption, no dispersion. Where a lobe is narrower than the rounding of the
@@ -144,6 +145,9 @@ lift! {
 
 /// 1 + Λ up to which refracted light is followed: beyond it there is next to none.
 const HIDDEN: f64 = 1e9;
+
+/// Panels of the heights of visible normals in [`Bsdf::power`].
+const PANELS: u32 = 16;
 
 /// What of a crossing does not depend on its shadowing and on who sees it.
 #[derive(Clone, Copy)]
@@ -345,25 +349,27 @@ where
     fn power(&self, wo: T::Vec3) -> Power<C> {
         let viewer = Viewer::<T>::new(wo);
         let (zero, one) = (T::zero(), T::one());
-        let integral = |reflected: bool| {
-            integrate(zero, one, |x| {
-                integrate(zero, one, |y| {
-                    let draws = self.draws(&viewer, [x, y], TransportMode::Importance);
-                    if reflected {
-                        draws.powers[0] * draws.reflected.weight
-                    } else {
-                        draws.powers[1] * draws.refracted.weight
-                    }
-                })
-            })
+        let both = |x: T, y: T| {
+            let draws = self.draws(&viewer, [x, y], TransportMode::Importance);
+            let [reflected, refracted] = [draws.reflected.weight, draws.refracted.weight];
+            <T::Vec3 as Vector<T>>::new(
+                draws.powers[0] * reflected,
+                draws.powers[1] * refracted,
+                zero,
+            )
         };
+        // Where facets begin to reflect totally, the integrand has a root: short panels.
+        let panel = |index: u32, x: T| {
+            let end = |index: u32| T::lit(f64::from(index) / f64::from(PANELS));
+            integrate(end(index), end(index + 1), |y| both(x, y))
+        };
+        let powers = integrate(zero, one, |x| {
+            (1..PANELS).fold(panel(0, x), |sum, index| sum + panel(index, x))
+        });
         let white = |rough: T, straight: T| {
             let power = T::select(self.is_none(), straight, rough);
             (self.white * power).only_where(viewer.exists)
         };
-        Power {
-            reflectance: white(integral(true), zero),
-            transmittance: white(integral(false), one),
-        }
+        Power { reflectance: white(powers.x(), zero), transmittance: white(powers.y(), one) }
     }
 }

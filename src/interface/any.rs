@@ -1,0 +1,92 @@
+use super::crossed::AnySmith;
+use super::mirror::Mirror;
+use super::opaque::Opaque;
+use super::plastic::Plastic;
+use super::rough::RoughDielectric;
+use super::smooth::SmoothDielectric;
+use super::thin::ThinDielectric;
+use crate::any::AnyBrdf;
+use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
+use crate::distribution::{Beckmann, Ggx};
+use crate::fresnel::AnyFresnel;
+use crate::real::{Color, Real, members};
+
+members! {
+    ($) each
+    /// Any model of this crate over the whole sphere, chosen at run time: what a renderer keeps its
+    /// materials in.
+    ///
+    /// One type for all of them, without a box, as [`AnyBrdf`]; the answers have the bits of the model
+    /// inside.
+    ///
+    /// ```
+    /// use brdf::{AnyBrdf, AnyBsdf, Bsdf, Lambert, SmoothDielectric, TransportMode};
+    /// use glam::DVec3;
+    ///
+    /// let paper = AnyBrdf::from(Lambert::new(DVec3::splat(0.5))?);
+    /// let scene: [AnyBsdf<f64>; 2] = [paper.into(), SmoothDielectric::new(1.5)?.into()];
+    /// let lobes = scene[1].specular(DVec3::Z, TransportMode::Importance);
+    /// assert!((lobes.transmitted.weight.x - 0.96).abs() < 1e-15);
+    /// # Ok::<(), brdf::ParameterError>(())
+    /// ```
+    pub enum AnyBsdf[T: Real = f32, C: Color<T> = <T as Real>::Vec3][T: Real, C: Color<T>]
+        AnyBsdf<T, C> => AnyBsdf<U, C::Over<U>>
+    {
+        /// A model of reflection.
+        Opaque(Opaque<AnyBrdf<T, C>>),
+        /// A smooth mirror.
+        Mirror(Mirror<AnyFresnel<T, C>>),
+        /// Lambert's surface under a smooth dielectric.
+        Plastic(Plastic<C, T>),
+        /// A smooth interface.
+        SmoothDielectric(SmoothDielectric<C, T>),
+        /// A thin plate.
+        ThinDielectric(ThinDielectric<C, T>),
+        /// A rough interface of Beckmann's facets.
+        RoughBeckmann(RoughDielectric<Beckmann<T>, AnySmith, C, T>),
+        /// A rough interface of the facets of Trowbridge and Reitz.
+        RoughGgx(RoughDielectric<Ggx<T>, AnySmith, C, T>),
+    }
+}
+
+impl<T: Real, C: Color<T>> From<AnyBrdf<T, C>> for AnyBsdf<T, C> {
+    fn from(model: AnyBrdf<T, C>) -> Self {
+        Self::Opaque(Opaque::new(model))
+    }
+}
+
+impl<T: Real, C: Color<T>> AnyBsdf<T, C> {
+    /// Whether the model is one of the hemisphere, which leaves all below the surface dark.
+    #[must_use]
+    pub const fn is_opaque(&self) -> bool {
+        matches!(self, Self::Opaque(_) | Self::Mirror(_) | Self::Plastic(_))
+    }
+}
+
+impl<T: Real, C: Color<T>> Bsdf<T> for AnyBsdf<T, C> {
+    type Color = C;
+
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> C {
+        each!(self, model => model.eval(wi, wo, mode))
+    }
+
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> T {
+        each!(self, model => model.pdf(wi, wo, mode))
+    }
+
+    fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> (C, T) {
+        each!(self, model => model.eval_pdf(wi, wo, mode))
+    }
+
+    fn sample(&self, wo: T::Vec3, u: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
+        each!(self, model => model.sample(wo, u, mode))
+    }
+
+    fn specular(&self, wo: T::Vec3, mode: TransportMode) -> Lobes<T, C> {
+        each!(self, model => model.specular(wo, mode))
+    }
+
+    fn power(&self, wo: T::Vec3) -> Power<C> {
+        each!(self, model => model.power(wo))
+    }
+}

@@ -1,0 +1,99 @@
+use super::side::never;
+use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
+use crate::direction::{above_or_normal, above_surface};
+use crate::fresnel::Fresnel;
+use crate::real::{Color, Lift, Mask, Real, Vector, lift};
+
+/// A smooth mirror: polished metal, a coated glass of which only the reflection counts.
+///
+/// # Formula
+/// ```text
+/// wi = (−x, −y, z)   weight F(N·wo)
+/// ```
+///
+/// # Parameters
+///
+/// | symbol | parameter | meaning |
+/// |---|---|---|
+/// | F | `fresnel` | reflectance, any [`Fresnel`] term |
+///
+/// One [specular lobe](Bsdf::specular) above the surface: value and density are 0 everywhere, and below
+/// the surface there is nothing.
+///
+/// # Energy
+/// Reciprocal. Conserving: it reflects F.
+///
+/// # Sampling
+/// Every draw is the lobe, with the weight F.
+///
+/// ```
+/// use brdf::{Bsdf, Constant, Mirror, TransportMode};
+/// use glam::DVec3;
+///
+/// let silver = Mirror::new(Constant::new(DVec3::new(0.97, 0.96, 0.91))?);
+/// let lobe = silver.specular(DVec3::new(0.6, 0.0, 0.8), TransportMode::Radiance).reflected;
+/// assert_eq!((lobe.wi, lobe.weight.z), (DVec3::new(-0.6, 0.0, 0.8), 0.91));
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[doc(alias("smooth conductor"))]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mirror<F> {
+    fresnel: F,
+}
+
+impl<F> Mirror<F> {
+    /// A mirror of this reflectance.
+    #[must_use]
+    pub const fn new(fresnel: F) -> Self {
+        Self { fresnel }
+    }
+
+    /// The reflectance.
+    #[must_use]
+    pub const fn fresnel(&self) -> &F {
+        &self.fresnel
+    }
+}
+
+lift! {
+    [T: Real, F: Lift<T>] Mirror<F> => Mirror<F::Over<U>>: Mirror { fresnel: part }
+}
+
+impl<T: Real, F: Fresnel<T>> Bsdf<T> for Mirror<F> {
+    type Color = F::Color;
+
+    #[inline(always)]
+    fn eval(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> F::Color {
+        F::Color::splat(T::zero())
+    }
+
+    #[inline(always)]
+    fn pdf(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> T {
+        T::zero()
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: T::Vec3, _: [T; 3], mode: TransportMode) -> BsdfSample<T, F::Color> {
+        let Lobe { wi, weight } = self.specular(wo, mode).reflected;
+        let specular = never::<T>().not();
+        let sample = BsdfSample { wi, weight, pdf: T::zero(), specular };
+        sample.only_where(above_surface::<T, _>(wo))
+    }
+
+    #[inline(always)]
+    fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, F::Color> {
+        let above = above_surface::<T, _>(wo);
+        let wo = above_or_normal::<T, _>(wo);
+        let mut lobes = Lobes::none(wo);
+        lobes.reflected = Lobe {
+            wi: Vector::new(-wo.x(), -wo.y(), wo.z()),
+            weight: self.fresnel.reflectance(wo.z().at_most(T::one())),
+        };
+        lobes.only_where(above)
+    }
+
+    fn power(&self, wo: T::Vec3) -> Power<F::Color> {
+        let reflectance = self.specular(wo, TransportMode::Importance).reflected.weight;
+        Power { reflectance, transmittance: F::Color::splat(T::zero()) }
+    }
+}
