@@ -17,6 +17,9 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
         "stack" => stack(described, path),
         "belcour_barla" => same_in_all_channels(described, &path.key("substrate")),
         "metal" => metal(described.text("name")).map(drop).map_err(|problem| path.error(problem)),
+        "rough_dielectric" if !is_facets(described) => {
+            Err(path.key("distribution").error(Problem::NotRefracting))
+        }
         "cook_torrance" if described.word("shadowing") != "v_cavity" => {
             match described.get("distribution") {
                 Some((_, distribution)) if has_smith(distribution) => Ok(()),
@@ -24,6 +27,16 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
             }
         }
         _ => Ok(()),
+    }
+}
+
+/// Whether the distribution is one of a rough dielectric.
+fn is_facets(described: &Described) -> bool {
+    match described.get("distribution") {
+        Some((_, Value::Form(distribution))) => {
+            matches!(distribution.form.name(), "beckmann" | "ggx")
+        }
+        _ => false,
     }
 }
 

@@ -4,6 +4,7 @@ use alloc::vec::Vec;
 use core::cell::RefCell;
 
 use super::brdf::brdf;
+use super::bsdf::bsdf;
 use super::build::Build;
 use super::distribution::distribution;
 use super::error::DescriptionError;
@@ -15,6 +16,7 @@ use super::value::Described;
 use crate::any::AnyBrdf;
 use crate::distribution::AnyDistribution;
 use crate::fresnel::AnyFresnel;
+use crate::interface::AnyBsdf;
 use crate::parameter::Part;
 use crate::real::Real;
 
@@ -140,6 +142,24 @@ description! {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub struct BrdfDescription: Brdf => AnyBrdf by brdf;
+}
+
+description! {
+    /// A model over the whole sphere of directions: every model of reflection, and those that have
+    /// specular lobes or transmit. The keys are the parameters of the type with the same name.
+    ///
+    /// ```
+    /// use brdf::description::BsdfDescription;
+    /// use brdf::{Bsdf, TransportMode};
+    /// use glam::DVec3;
+    ///
+    /// let text = r#"{"rough_dielectric": {"distribution": {"ggx": {"roughness": 0.3}}, "ior": 1.5}}"#;
+    /// let frosted: BsdfDescription = serde_json::from_str(text)?;
+    /// let f = frosted.build::<f64>()?.eval(-DVec3::Z, DVec3::Z, TransportMode::Radiance);
+    /// assert!((f.x - 30.557749073643908).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub struct BsdfDescription: Bsdf => AnyBsdf by bsdf;
 }
 
 description! {

@@ -35,6 +35,8 @@ pub enum Problem {
     Metal(String),
     /// Smith's shadowing with a distribution for which it is not known.
     NoSmith,
+    /// A rough dielectric of another distribution than Beckmann's or GGX.
+    NotRefracting,
     /// An index that differs between the channels, where it must not.
     Dispersion,
     /// Sums or mixtures inside each other, too deep.
@@ -88,6 +90,7 @@ impl fmt::Display for Problem {
                 "Smith's shadowing is known for beckmann, ggx and mixtures of them; `v_cavity` \
                  fits every distribution",
             ),
+            Self::NotRefracting => f.write_str("a rough dielectric has facets of beckmann or ggx"),
             Self::Dispersion => f.write_str(
                 "must be one index for all wavelengths: a number, [n, k], or the same eta and k in \
                  all channels",

@@ -1,11 +1,15 @@
 //! The table of all forms of descriptions: what can be read, written and built.
 
+use alloc::vec;
+
+use super::value::{Described, Numbers, Value};
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
 use crate::fresnel::{
     BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Stack,
 };
 use crate::glossy::{BlinnPhong, Phong, SchlickPower};
+use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::planetary::{LommelSeeliger, Minnaert};
 
@@ -21,7 +25,7 @@ use crate::planetary::{LommelSeeliger, Minnaert};
 /// assert_eq!(names, ["specular", "exponent", "normalized"]);
 /// assert!(forms().any(|(part, form)| part == Part::Fresnel && form.name() == "metal"));
 /// ```
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Form {
     name: &'static str,
     part: Part,
@@ -31,7 +35,7 @@ pub struct Form {
 }
 
 /// What stands behind the name of a form.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Content {
     /// An object with a key for each parameter.
@@ -73,11 +77,13 @@ impl Form {
     }
 }
 
-/// All forms, with what they describe.
+/// All forms, with what they describe. A form of [`Part::Brdf`] is one of [`Part::Bsdf`] too, and stands
+/// here once.
 pub fn forms() -> impl Iterator<Item = (Part, &'static Form)> {
-    [Part::Brdf, Part::Fresnel, Part::Distribution]
+    [Part::Brdf, Part::Bsdf, Part::Fresnel, Part::Distribution]
         .into_iter()
         .flat_map(|part| Room::of(part).forms.iter().map(move |form| (part, form)))
+        .filter(|(part, form)| *part == form.part)
 }
 
 /// The forms of one part, and what they are called together.
@@ -96,6 +102,7 @@ impl Room {
     pub(super) const fn of(part: Part) -> &'static Self {
         match part {
             Part::Brdf => &BRDF,
+            Part::Bsdf => &BSDF,
             Part::Fresnel => &FRESNEL,
             Part::Distribution => &DISTRIBUTION,
         }
@@ -108,6 +115,14 @@ static BRDF: Room = Room {
     expected: "a model, such as {\"lambert\": {\"albedo\": 0.5}}",
     forms: &BRDF_FORMS,
     names: &names(&BRDF_FORMS),
+};
+
+static BSDF: Room = Room {
+    name: "BsdfDescription",
+    term: "WeightedBsdf",
+    expected: "a model, such as {\"dielectric\": {\"ior\": 1.5}}",
+    forms: &BSDF_FORMS,
+    names: &names(&BSDF_FORMS),
 };
 
 static FRESNEL: Room = Room {
@@ -166,6 +181,18 @@ static BRDF_FORMS: [Form; 12] = [
     ]),
 ];
 
+/// Models over the whole sphere that are none of reflection alone, and those with specular lobes.
+static SPHERE_FORMS: [Form; 5] = [
+    form!(Bsdf "mirror": Keys &[REFLECTANCE.or(Preset::White)]),
+    form!(Bsdf "plastic": Keys <Plastic>::PARAMETERS),
+    form!(Bsdf "dielectric": Keys <SmoothDielectric>::PARAMETERS),
+    form!(Bsdf "thin_dielectric": Keys <ThinDielectric>::PARAMETERS),
+    form!(Bsdf "rough_dielectric": Keys &[FACETS, ROUGH_IOR, REFRACTED_SHADOWING]),
+];
+
+/// These, and every model of reflection.
+static BSDF_FORMS: [Form; 17] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+
 static FRESNEL_FORMS: [Form; 9] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
     form!(Fresnel "dielectric": Keys <Dielectric>::PARAMETERS),
@@ -177,6 +204,12 @@ static FRESNEL_FORMS: [Form; 9] = [
     form!(Fresnel "stack": Keys <Stack>::PARAMETERS),
     form!(Fresnel "belcour_barla": Keys <BelcourBarla>::PARAMETERS),
 ];
+
+/// The Fresnel term that reflects all light.
+pub(super) fn white() -> Described {
+    let form = &FRESNEL_FORMS[0];
+    Described { form, values: vec![Value::Numbers(Numbers::One(1.0))] }
+}
 
 /// A layer of a stack.
 pub(super) static LAYER: Form = form!(Fresnel "layers": Terms <Stack>::LAYER);
@@ -218,6 +251,14 @@ const SHADOWING: Parameter = Parameter::new(
 )
 .or(Preset::Shadowing);
 
+const REFRACTED_SHADOWING: Parameter = Parameter::new(
+    "shadowing",
+    "G",
+    "fraction of facets that light and viewer both see",
+    Kind::Word(&["smith", "smith_separable"]),
+)
+.or(Preset::Word("smith"));
+
 /// An index at 650, 550 and 450 nm. `Ta` and `Zn` are accepted although their sets are not for
 /// colour.
 const METAL: Parameter = Parameter::new(
@@ -226,6 +267,16 @@ const METAL: Parameter = Parameter::new(
     "symbol or name of a metal, alloy or semiconductor whose index was measured",
     Kind::Text,
 );
+
+const fn joined<const N: usize>(first: &[Form], rest: &[Form]) -> [Form; N] {
+    assert!(first.len() + rest.len() == N);
+    let (mut all, mut index) = ([first[0]; N], 0);
+    while index < N {
+        all[index] = if index < first.len() { first[index] } else { rest[index - first.len()] };
+        index += 1;
+    }
+    all
+}
 
 const fn names<const N: usize>(forms: &[Form; N]) -> [&'static str; N] {
     let (mut names, mut index) = ([""; N], 0);

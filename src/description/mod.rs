@@ -1,6 +1,6 @@
 //! Models as data: a scene file names a model and its parameters, and [`build`] makes the model.
 //!
-//! [`BrdfDescription`], [`FresnelDescription`] and [`DistributionDescription`] can be read from and
+//! [`BrdfDescription`], [`BsdfDescription`], [`FresnelDescription`] and [`DistributionDescription`] can be read from and
 //! written to every format of serde that describes itself and names its keys: JSON, RON, TOML, CBOR,
 //! MessagePack with named fields. Formats without keys, as postcard and MessagePack's default, can
 //! write them but not read them. YAML writes the name of a form as a tag: `!lambert {albedo: 0.5}`.
@@ -24,6 +24,15 @@
 //! | `{"cook_torrance_1982_printed": {"roughness": R, "fresnel": F}}` | |
 //! | `{"blinn_1977_printed": {"distribution": W, "beta": b, "fresnel": F}}` | W is `"d1"`, `"d2"` or `"d3"`; beta in radians |
 //! | `{"sum": [{"weight": C, "brdf": B}, …]}` | |
+//!
+//! | Bsdf, over the whole sphere | |
+//! |---|---|
+//! | every Brdf | zero below the surface |
+//! | `{"mirror": {"fresnel": F}}` | one specular lobe; `{"constant": 1}` is the default |
+//! | `{"plastic": {"diffuse": C, "ior": 1.5, "nonlinear": true}}` | Lambert's surface under a smooth dielectric, n ≥ 1 |
+//! | `{"dielectric": {"ior": n}}` | a smooth interface; n is the index below over that above |
+//! | `{"thin_dielectric": {"ior": n}}` | a plane plate with all its internal reflections |
+//! | `{"rough_dielectric": {"distribution": D, "ior": n, "shadowing": S}}` | D is `beckmann` or `ggx`, S `"smith"` (the default) or `"smith_separable"` |
 //!
 //! | Fresnel F | |
 //! |---|---|
@@ -88,6 +97,7 @@
 
 mod bounds;
 mod brdf;
+mod bsdf;
 mod build;
 mod check;
 mod described;
@@ -106,7 +116,9 @@ mod value;
 mod write;
 
 pub use bounds::{MAX_DEPTH, MAX_TERMS};
-pub use described::{BrdfDescription, DistributionDescription, FresnelDescription};
+pub use described::{
+    BrdfDescription, BsdfDescription, DistributionDescription, FresnelDescription,
+};
 pub use error::{DescriptionError, Problem};
 pub use form::{Content, Form, forms};
 pub use numbers::Number;

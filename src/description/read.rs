@@ -14,7 +14,7 @@ use serde::de::{
 
 use super::check::{check, has_smith};
 use super::error::Problem;
-use super::form::{Content, Form, LAYER, Room};
+use super::form::{Content, Form, LAYER, Room, white};
 use super::leaf::{AllWords, OneOrEach, Text, Word, Words};
 use super::medium::MediumAt;
 use super::place::{Place, Progress, Record};
@@ -159,6 +159,7 @@ fn default(parameter: &Parameter, given: &[Option<Value>]) -> Option<Value> {
         Preset::Color(numbers) => Some(Value::Numbers(Numbers::Three(numbers))),
         Preset::Flag(flag) => Some(Value::Flag(flag)),
         Preset::Word(word) => one_of(word),
+        Preset::White => Some(Value::Form(white())),
         Preset::Shadowing => {
             let smith = given.iter().flatten().any(has_smith);
             one_of(if smith { "smith" } else { "v_cavity" })

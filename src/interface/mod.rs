@@ -19,6 +19,8 @@ pub use crossed::{AnySmith, RefractedShadowing};
 pub use mirror::Mirror;
 pub use opaque::Opaque;
 pub use plastic::Plastic;
+#[cfg(feature = "serde")]
+pub(crate) use rough::ROUGH_IOR;
 pub use rough::RoughDielectric;
 pub use smooth::SmoothDielectric;
 pub use thin::ThinDielectric;

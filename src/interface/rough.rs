@@ -94,7 +94,7 @@ impl<T: Real, D: Smith<T>> RoughDielectric<D, SmithCorrelated, T::Vec3, T> {
 }
 
 /// The parameter of the index.
-pub(crate) const IOR: Parameter =
+pub(crate) const ROUGH_IOR: Parameter =
     model!(@row ior: T, ETA, "n", "index below the surface over that above");
 
 impl<D, S, C, T> RoughDielectric<D, S, C, T> {

@@ -63,6 +63,8 @@ pub enum Kind {
 pub enum Part {
     /// A model of reflection.
     Brdf,
+    /// A model over the whole sphere of directions.
+    Bsdf,
     /// A Fresnel term.
     Fresnel,
     /// A distribution of facet normals.
@@ -81,6 +83,8 @@ pub enum Preset {
     Flag(bool),
     /// Of a word.
     Word(&'static str),
+    /// Of a Fresnel term: the `constant` 1.
+    White,
     /// Of a shadowing: `smith` for a distribution for which Smith's term is known, `v_cavity` for
     /// any other.
     Shadowing,
