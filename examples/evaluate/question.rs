@@ -3,11 +3,14 @@
 use std::collections::BTreeMap;
 
 use brdf::description::{
-    BrdfDescription, DescriptionError, DistributionDescription, FresnelDescription,
+    BrdfDescription, BsdfDescription, DescriptionError, DistributionDescription, FresnelDescription,
 };
 use brdf::polarization::{Amplitudes, Complex, Polarized, Stokes};
 use brdf::wgsl::{Module, ShaderError};
-use brdf::{AnyFresnel, Brdf, Distribution, Dual, Fresnel, Real, Vector};
+use brdf::{
+    AnyFresnel, Brdf, Bsdf, BsdfSample, Distribution, Dual, Fresnel, Lobe, Real, TransportMode,
+    Vector,
+};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::value::RawValue;
@@ -44,7 +47,7 @@ fn write(answer: &impl Serialize, to: &mut Vec<u8>) {
     serde_json::to_writer(to, answer).expect("numbers and texts can be written into memory");
 }
 
-trait Number: Real + PartialOrd + Serialize {
+trait Number: Real<Mask = bool> + PartialOrd + Serialize {
     /// The largest number below 1.
     const BELOW_ONE: Self;
 }
@@ -67,7 +70,15 @@ enum Answer<T> {
     Sample {
         wi: [T; 3],
         weight: [T; 3],
-        pdf: T,
+        /// None of a specular lobe.
+        pdf: Option<T>,
+    },
+    Power {
+        reflectance: [T; 3],
+        transmittance: [T; 3],
+    },
+    Specular {
+        lobes: Vec<Lobes<T>>,
     },
     Albedo {
         albedo: [T; 3],
@@ -112,6 +123,12 @@ enum Answer<T> {
 }
 
 #[derive(Serialize)]
+struct Lobes<T> {
+    wi: [T; 3],
+    weight: [T; 3],
+}
+
+#[derive(Serialize)]
 struct SAndP<V> {
     s: V,
     p: V,
@@ -139,6 +156,10 @@ struct Refusal<'a> {
 struct Keys<'a> {
     #[serde(borrow, default, deserialize_with = "given")]
     brdf: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    bsdf: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    specular: Option<&'a RawValue>,
     #[serde(borrow, default, deserialize_with = "given")]
     fresnel: Option<&'a RawValue>,
     #[serde(borrow, default, deserialize_with = "given")]
@@ -169,6 +190,8 @@ struct Keys<'a> {
     stokes: Option<&'a RawValue>,
     #[serde(borrow, default, deserialize_with = "given")]
     wavelength: Option<&'a RawValue>,
+    #[serde(borrow, default, deserialize_with = "given")]
+    mode: Option<&'a RawValue>,
 }
 
 impl<'a> Keys<'a> {
@@ -176,6 +199,8 @@ impl<'a> Keys<'a> {
     fn all(&self) -> Vec<(&'static str, &'a RawValue)> {
         let keys = [
             ("brdf", self.brdf),
+            ("bsdf", self.bsdf),
+            ("specular", self.specular),
             ("mueller", self.mueller),
             ("gradient", self.gradient),
             ("wgsl", self.wgsl),
@@ -191,6 +216,7 @@ impl<'a> Keys<'a> {
             ("stokes", self.stokes),
             ("wavelength", self.wavelength),
             ("name", self.name),
+            ("mode", self.mode),
         ];
         keys.into_iter().filter_map(|(key, value)| Some((key, value?))).collect()
     }
@@ -205,6 +231,13 @@ enum Question {
     Value { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
     Sample { brdf: BrdfDescription, wo: [f64; 3], u: [f64; 2] },
     Albedo { brdf: BrdfDescription, wo: [f64; 3] },
+    ValueWithLobes { brdf: BsdfDescription, wi: [f64; 3], wo: [f64; 3] },
+    SampleWithLobes { brdf: BsdfDescription, wo: [f64; 3], u: [f64; 2] },
+    AlbedoWithLobes { brdf: BsdfDescription, wo: [f64; 3] },
+    BsdfValue { bsdf: BsdfDescription, wi: [f64; 3], wo: [f64; 3], mode: TransportMode },
+    BsdfSample { bsdf: BsdfDescription, wo: [f64; 3], u: [f64; 3], mode: TransportMode },
+    Power { bsdf: BsdfDescription, wo: [f64; 3] },
+    Specular { bsdf: BsdfDescription, wo: [f64; 3], mode: TransportMode },
     Mueller { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
     Gradient { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
     Text { brdf: BrdfDescription, name: String },
@@ -216,7 +249,8 @@ enum Question {
 }
 
 const KINDS: &str = "a question has the keys brdf, wi, wo; or brdf, wo, u; or brdf, wo; \
-                     or mueller, wi, wo; or gradient, wi, wo; or wgsl, name; or fresnel, cos; or fresnel; or distribution, h; \
+                     or bsdf, wi, wo and perhaps mode; or bsdf, wo, u and perhaps mode; or bsdf, wo; \
+                     or specular, wo and perhaps mode; or mueller, wi, wo; or gradient, wi, wo; or wgsl, name; or fresnel, cos; or fresnel; or distribution, h; \
                      or surface, cos and perhaps wavelength; \
                      or optics and perhaps stokes, wavelength";
 
@@ -226,7 +260,36 @@ impl Question {
         let brdf = |value| read(line, "brdf", value);
         let wi = |value| direction(line, "wi", value);
         let wo = |value| direction(line, "wo", value);
+        let lobes = |value| read(line, "brdf", value);
+        let bsdf = |value| read(line, "bsdf", value);
         match *keys.all() {
+            [("brdf", it), ("wo", seen)] if has_lobes(it) => {
+                Ok(Self::AlbedoWithLobes { brdf: lobes(it)?, wo: wo(seen)? })
+            }
+            [("brdf", it), ("wi", lit), ("wo", seen)] if has_lobes(it) => {
+                Ok(Self::ValueWithLobes { brdf: lobes(it)?, wi: wi(lit)?, wo: wo(seen)? })
+            }
+            [("brdf", it), ("wo", seen), ("u", u)] if has_lobes(it) => {
+                Ok(Self::SampleWithLobes { brdf: lobes(it)?, wo: wo(seen)?, u: uniform(line, u)? })
+            }
+            [("bsdf", it), ("wo", seen)] => Ok(Self::Power { bsdf: bsdf(it)?, wo: wo(seen)? }),
+            [("bsdf", it), ("wi", lit), ("wo", seen), ref rest @ ..] => Ok(Self::BsdfValue {
+                bsdf: bsdf(it)?,
+                wi: wi(lit)?,
+                wo: wo(seen)?,
+                mode: mode(line, rest)?,
+            }),
+            [("bsdf", it), ("wo", seen), ("u", u), ref rest @ ..] => Ok(Self::BsdfSample {
+                bsdf: bsdf(it)?,
+                wo: wo(seen)?,
+                u: uniform(line, u)?,
+                mode: mode(line, rest)?,
+            }),
+            [("specular", it), ("wo", seen), ref rest @ ..] => Ok(Self::Specular {
+                bsdf: read(line, "specular", it)?,
+                wo: wo(seen)?,
+                mode: mode(line, rest)?,
+            }),
             [("brdf", it), ("wo", seen)] => Ok(Self::Albedo { brdf: brdf(it)?, wo: wo(seen)? }),
             [("brdf", it), ("wi", lit), ("wo", seen)] => {
                 Ok(Self::Value { brdf: brdf(it)?, wi: wi(lit)?, wo: wo(seen)? })
@@ -288,8 +351,52 @@ impl Question {
                 Answer::Sample {
                     wi: components(sample.wi),
                     weight: components(sample.weight),
-                    pdf: sample.pdf,
+                    pdf: Some(sample.pdf),
                 }
+            }
+            Self::ValueWithLobes { brdf, wi, wo } => {
+                let model = brdf.build::<T>().map_err(|error| format!("brdf: {error}"))?;
+                value(&model, wi, wo, TransportMode::Radiance)
+            }
+            Self::SampleWithLobes { brdf, wo, u } => {
+                let model = brdf.build::<T>().map_err(|error| format!("brdf: {error}"))?;
+                let [x, y] = u.map(|u| T::lit(u).min(T::BELOW_ONE));
+                let lobes = model.specular(vector::<T>(wo), TransportMode::Radiance);
+                // The first number chooses and is used again.
+                let first = lobes.reflected.weight.x();
+                let rest = if x < first { x / first } else { (x - first) / (T::one() - first) };
+                sample(&model, wo, [rest, y, x], TransportMode::Radiance)
+            }
+            Self::AlbedoWithLobes { brdf, wo } => {
+                let model = brdf.build::<T>().map_err(|error| format!("brdf: {error}"))?;
+                Answer::Albedo { albedo: components(model.power(vector::<T>(wo)).reflectance) }
+            }
+            Self::BsdfValue { bsdf, wi, wo, mode } => {
+                let model = bsdf.build::<T>().map_err(|error| format!("bsdf: {error}"))?;
+                value(&model, wi, wo, *mode)
+            }
+            Self::BsdfSample { bsdf, wo, u, mode } => {
+                let model = bsdf.build::<T>().map_err(|error| format!("bsdf: {error}"))?;
+                sample(&model, wo, u.map(|u| T::lit(u).min(T::BELOW_ONE)), *mode)
+            }
+            Self::Power { bsdf, wo } => {
+                let model = bsdf.build::<T>().map_err(|error| format!("bsdf: {error}"))?;
+                let power = model.power(vector::<T>(wo));
+                Answer::Power {
+                    reflectance: components(power.reflectance),
+                    transmittance: components(power.transmittance),
+                }
+            }
+            Self::Specular { bsdf, wo, mode } => {
+                let model = bsdf.build::<T>().map_err(|error| format!("specular: {error}"))?;
+                let lobes = model.specular(vector::<T>(wo), *mode);
+                let lobes = [lobes.reflected, lobes.transmitted].into_iter();
+                let there = lobes.map(|Lobe { wi, weight }| Lobes {
+                    wi: components::<T>(wi),
+                    weight: components::<T>(weight),
+                });
+                let there = there.filter(|lobe| lobe.weight.iter().any(|it| *it > T::zero()));
+                Answer::Specular { lobes: there.collect() }
             }
             Self::Albedo { brdf, wo } => {
                 let model = brdf.build::<T>().map_err(|error| format!("brdf: {error}"))?;
@@ -380,6 +487,31 @@ impl Question {
     }
 }
 
+/// A model over the whole sphere at a pair.
+fn value<T: Number>(
+    model: &impl Bsdf<T, Color = T::Vec3>,
+    wi: &[f64; 3],
+    wo: &[f64; 3],
+    mode: TransportMode,
+) -> Answer<T> {
+    let (value, pdf) = model.eval_pdf(vector::<T>(wi), vector::<T>(wo), mode);
+    Answer::Value { value: components(value), pdf }
+}
+
+fn sample<T: Number>(
+    model: &impl Bsdf<T, Color = T::Vec3>,
+    wo: &[f64; 3],
+    u: [T; 3],
+    mode: TransportMode,
+) -> Answer<T> {
+    let BsdfSample { wi, weight, pdf, specular } = model.sample(vector::<T>(wo), u, mode);
+    Answer::Sample {
+        wi: components(wi),
+        weight: components(weight),
+        pdf: (!specular).then_some(pdf),
+    }
+}
+
 /// The value for a pair, and its derivatives by every number that the model is made of. The channels of
 /// a colour count as one: each channel of the value depends on its own.
 fn gradient<T: Number>(
@@ -462,8 +594,28 @@ fn is_unit<T: Number>(w: &[f64; 3]) -> bool {
     (vector::<T>(w).length_squared() - T::lit(1.0)).abs() <= T::lit(0.01)
 }
 
-fn uniform(line: &[u8], value: &RawValue) -> Result<[f64; 2], String> {
-    let u: [f64; 2] = list(line, "u", value)?;
+/// Whether a model of reflection has specular lobes: its form is one that descriptions count among those
+/// over the whole sphere.
+fn has_lobes(model: &RawValue) -> bool {
+    let name = model.get().trim_start_matches(['{', ' ', '\t', '\r']);
+    ["\"mirror\"", "\"plastic\""].into_iter().any(|lobes| name.starts_with(lobes))
+}
+
+/// The mode of transport of a question, if nothing else follows.
+fn mode(line: &[u8], rest: &[(&str, &RawValue)]) -> Result<TransportMode, String> {
+    match *rest {
+        [] => Ok(TransportMode::Radiance),
+        [("mode", value)] => match read::<String>(line, "mode", value)?.as_str() {
+            "radiance" => Ok(TransportMode::Radiance),
+            "importance" => Ok(TransportMode::Importance),
+            other => Err(format!("mode must be radiance or importance, not {other}")),
+        },
+        _ => Err(KINDS.into()),
+    }
+}
+
+fn uniform<const N: usize>(line: &[u8], value: &RawValue) -> Result<[f64; N], String> {
+    let u: [f64; N] = list(line, "u", value)?;
     match u.iter().enumerate().find(|(_, u)| !(0.0..1.0).contains(*u)) {
         None => Ok(u),
         Some((index, u)) => {

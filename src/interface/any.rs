@@ -55,14 +55,6 @@ impl<T: Real, C: Color<T>> From<AnyBrdf<T, C>> for AnyBsdf<T, C> {
     }
 }
 
-impl<T: Real, C: Color<T>> AnyBsdf<T, C> {
-    /// Whether the model is one of the hemisphere, which leaves all below the surface dark.
-    #[must_use]
-    pub const fn is_opaque(&self) -> bool {
-        matches!(self, Self::Opaque(_) | Self::Mirror(_) | Self::Plastic(_))
-    }
-}
-
 impl<T: Real, C: Color<T>> Bsdf<T> for AnyBsdf<T, C> {
     type Color = C;
 

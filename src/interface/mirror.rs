@@ -86,7 +86,7 @@ impl<T: Real, F: Fresnel<T>> Bsdf<T> for Mirror<F> {
         let wo = above_or_normal::<T, _>(wo);
         let mut lobes = Lobes::none(wo);
         lobes.reflected = Lobe {
-            wi: Vector::new(-wo.x(), -wo.y(), wo.z()),
+            wi: Vector::new(T::zero() - wo.x(), T::zero() - wo.y(), wo.z()),
             weight: self.fresnel.reflectance(wo.z().at_most(T::one())),
         };
         lobes.only_where(above)

@@ -130,8 +130,10 @@ impl<T: Real, C: Color<T>> Bsdf<T> for Plastic<C, T> {
         let wo = above_or_normal::<T, _>(wo);
         let [reflected, _] = self.surface(wo);
         let mut lobes = Lobes::none(wo);
-        lobes.reflected =
-            Lobe { wi: Vector::new(-wo.x(), -wo.y(), wo.z()), weight: C::splat(reflected) };
+        lobes.reflected = Lobe {
+            wi: Vector::new(T::zero() - wo.x(), T::zero() - wo.y(), wo.z()),
+            weight: C::splat(reflected),
+        };
         lobes.only_where(above)
     }
 

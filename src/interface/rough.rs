@@ -331,7 +331,7 @@ where
         );
         let back = u.clamp(zero, one).lt(reflectance).or(transmittance.le(zero));
         let straight =
-            BsdfSample { wi: -viewer.wo, weight: one, pdf: zero, specular: viewer.exists };
+            BsdfSample { wi: viewer.opposite(), weight: one, pdf: zero, specular: viewer.exists };
         let rough = BsdfSample::choose(back, reflected, refracted);
         let BsdfSample { wi, weight, pdf, specular } =
             BsdfSample::choose(self.is_none(), straight, rough).only_where(viewer.exists);
@@ -342,7 +342,7 @@ where
     fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, C> {
         let viewer = Viewer::<T>::new(wo);
         let mut lobes = Lobes::none(viewer.wo);
-        lobes.transmitted = Lobe { wi: -viewer.wo, weight: self.white };
+        lobes.transmitted = Lobe { wi: viewer.opposite(), weight: self.white };
         lobes.only_where(viewer.exists.and(self.is_none()))
     }
 

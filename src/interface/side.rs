@@ -30,7 +30,15 @@ impl<T: Real> Viewer<T> {
     /// The mirror direction.
     #[inline(always)]
     pub(super) fn mirrored(&self) -> T::Vec3 {
-        Vector::new(-self.wo.x(), -self.wo.y(), self.wo.z())
+        let (zero, wo) = (T::zero(), self.wo);
+        Vector::new(zero - wo.x(), zero - wo.y(), wo.z())
+    }
+
+    /// The direction straight through the surface.
+    #[inline(always)]
+    pub(super) fn opposite(&self) -> T::Vec3 {
+        let (zero, wo) = (T::zero(), self.wo);
+        Vector::new(zero - wo.x(), zero - wo.y(), -wo.z())
     }
 
     /// The index on the far side over that on the side of the viewer, of the index below over that

@@ -84,8 +84,8 @@ fn refracted<T: Real>(viewer: &Viewer<T>, far_over_near: T, transmittance: T) ->
     // A root has no derivative at 0.
     let cos = (wo.z().squared() + change).max(T::lit(1e-37)).sqrt();
     let through = <T::Vec3 as Vector<T>>::new(
-        -(wo.x() * inverse),
-        -(wo.y() * inverse),
+        zero - wo.x() * inverse,
+        zero - wo.y() * inverse,
         T::select(viewer.below, cos, -cos),
     );
     Vector::select(transmittance.gt(zero), through, viewer.mirrored())

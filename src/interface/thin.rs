@@ -112,7 +112,7 @@ impl<T: Real, C: Color<T>> Bsdf<T> for ThinDielectric<C, T> {
         let [back, through] = self.powers(viewer.wo.z());
         let lobes = Lobes {
             reflected: Lobe { wi: viewer.mirrored(), weight: self.white * back },
-            transmitted: Lobe { wi: -viewer.wo, weight: self.white * through },
+            transmitted: Lobe { wi: viewer.opposite(), weight: self.white * through },
         };
         lobes.only_where(viewer.exists)
     }
