@@ -26,8 +26,7 @@ model! {
     /// is total there is one, and with n = 1 light passes straight through.
     ///
     /// # Energy
-    /// Reciprocal: the weights over n² of their sides are the same both ways. Conserving and lossless:
-    /// R + T = 1 to the last digits, from either side, up to the critical angle and grazing.
+    /// Reciprocal: R and T are the same both ways along a refracted ray. Conserving and lossless: R + T = 1 to the last digits, from either side, up to the critical angle and grazing.
     ///
     /// # Sampling
     /// The third number chooses: reflection below R. Every draw has the weight 1, for radiance times

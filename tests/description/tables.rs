@@ -3,7 +3,8 @@
 use std::fmt::Debug;
 
 use brdf::description::{
-    BrdfDescription, Content, DistributionDescription, Form, FresnelDescription, forms,
+    BrdfDescription, BsdfDescription, Content, DistributionDescription, Form, FresnelDescription,
+    forms,
 };
 use brdf::parameter::{Kind, Parameter, Part, Preset};
 use proptest::prelude::*;
@@ -27,6 +28,7 @@ fn attempt(part: Part, text: &str) -> Result<Value, String> {
     }
     match part {
         Part::Brdf => read(text, BrdfDescription::build::<f64>),
+        Part::Bsdf => read(text, BsdfDescription::build::<f64>),
         Part::Fresnel => read(text, FresnelDescription::build::<f64>),
         Part::Distribution => read(text, DistributionDescription::build::<f64>),
         other => panic!("{other:?} has no description"),
@@ -41,14 +43,20 @@ fn parameters(form: &Form) -> &'static [Parameter] {
     }
 }
 
-/// A value of a parameter that is allowed. The first form of a part has no parts.
+/// A value of a parameter that is allowed. The form taken of a part has no parts; of distributions it is
+/// one that every model takes, Beckmann's.
 fn example(parameter: &Parameter) -> Value {
     let range = |index| parameter.kind.range(index).expect("a number");
-    let inside = |index| (range(index).lower * 0.5 + range(index).upper * 0.5).min(0.75);
+    let inside = |index| {
+        (range(index).lower * 0.5 + range(index).upper * 0.5).min(0.75).max(range(index).lower)
+    };
     match parameter.kind {
         Kind::Part(part) => {
-            let (_, first) = forms().find(|(other, _)| *other == part).expect("a form");
-            whole(first, values(first))
+            let of_part = |(other, form): &(Part, &Form)| {
+                *other == part && (part != Part::Distribution || form.name() == "beckmann")
+            };
+            let (_, form) = forms().find(of_part).expect("a form");
+            whole(form, values(form))
         }
         Kind::Flag => json!(true),
         Kind::Word(words) => json!(words[0]),
@@ -235,8 +243,9 @@ fn every_key_is_given_once_or_has_its_default() {
                     Preset::Number(number) => json!(number),
                     Preset::Flag(flag) => json!(flag),
                     Preset::Word(word) => json!(word),
-                    // The distribution of the example is the first form, Gaussian.
-                    Preset::Shadowing => json!("v_cavity"),
+                    // The distribution of the example is Beckmann's.
+                    Preset::Shadowing => json!("smith"),
+                    Preset::White => json!({"constant": 1.0}),
                     other => panic!("{other:?} is new"),
                 };
                 assert_eq!(attempt(part, &without), attempt(part, &changed(form, index, value)));

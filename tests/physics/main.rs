@@ -5,6 +5,7 @@ mod albedo;
 mod batch;
 mod derivatives;
 mod energy;
+mod interfaces;
 mod mutants;
 mod numbers;
 mod precision;

@@ -6,6 +6,7 @@
 mod directions;
 mod distributions;
 mod fresnel;
+mod interfaces;
 mod limits;
 mod lobes;
 mod microfacet;
@@ -50,6 +51,7 @@ fn all<T: Number>() -> Vec<Check> {
         &lobes::all::<T>(),
         &planetary::all::<T>(),
         &polarization::all::<T>(),
+        &interfaces::all::<T>(),
         &limits::all::<T>(),
     ]
     .concat()
