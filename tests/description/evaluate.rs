@@ -45,6 +45,7 @@ fn error(question: &str) -> String {
 fn expected_keys(question: &Value) -> &'static [&'static str] {
     let has = |key| question.get(key).is_some();
     match () {
+        () if has("specular") => &["lobes"],
         () if has("mueller") => &["mueller"],
         () if has("gradient") => &["value", "gradient"],
         () if has("wgsl") => &["text"],
@@ -54,6 +55,7 @@ fn expected_keys(question: &Value) -> &'static [&'static str] {
         () if has("wi") => &["value", "pdf"],
         () if has("u") => &["wi", "weight", "pdf"],
         () if has("brdf") => &["albedo"],
+        () if has("bsdf") => &["reflectance", "transmittance"],
         () if question.pointer("/fresnel/belcour_barla").is_some() && has("cos") => {
             &["reflectance", "xyz"]
         }
@@ -109,7 +111,7 @@ fn the_page_shows_questions_with_their_answers() {
         }
         mistakes += status;
     }
-    assert_eq!((kinds.len(), mistakes), (6, 1));
+    assert_eq!((kinds.len(), mistakes), (7, 1));
 }
 
 #[test]
@@ -118,7 +120,7 @@ fn the_questions_of_the_example_are_of_every_kind() {
         .lines()
         .map(|line| expected_keys(&serde_json::from_str(line).expect(line)))
         .collect();
-    assert_eq!(kinds.len(), 13, "{kinds:?}");
+    assert_eq!(kinds.len(), 15, "{kinds:?}");
 }
 
 /// Every model of the registry, asked in JSON, answers to the last bit what it answers in Rust.
@@ -195,6 +197,50 @@ fn answers_have_known_values() {
         "density",
         &[4.0 * per_pi],
     );
+    let frosted =
+        r#"{"rough_dielectric": {"distribution": {"ggx": {"roughness": 0.3}}, "ior": 1.5}}"#;
+    let through = format!("{{\"bsdf\": {frosted}, \"wi\": [0, 0, -1], \"wo\": [0, 0, 1]");
+    close(&format!("{through}}}"), "value", &[30.557749073643908; 3]);
+    let importance = 30.557749073643908 * 2.25;
+    close(&format!("{through}, \"mode\": \"importance\"}}"), "value", &[importance; 3]);
+    close(
+        r#"{"bsdf": {"dielectric": {"ior": 1.5}}, "wo": [0, 0, -1]}"#,
+        "transmittance",
+        &[0.96; 3],
+    );
+    close(
+        r#"{"bsdf": {"thin_dielectric": {"ior": 1.5}}, "wo": [0, 0, 1]}"#,
+        "reflectance",
+        &[0.08 / 1.04; 3],
+    );
+}
+
+/// A specular lobe has no density; value and albedo of a model over the hemisphere leave it out and
+/// have it in.
+#[test]
+fn lobes_have_no_density() {
+    let glass = r#"{"bsdf": {"dielectric": {"ior": 1.5}}, "wo": [0, 0, 1], "u": [0.5, 0.5,"#;
+    let drawn = |u: f64, mode: &str| ask(&format!("{glass} {u}], \"mode\": \"{mode}\"}}"));
+    let (back, through) = (drawn(0.039, "radiance"), drawn(0.041, "radiance"));
+    assert_eq!((&back["pdf"], &back["wi"]), (&Value::Null, &json!([0.0, 0.0, 1.0])));
+    assert_eq!((&through["pdf"], &through["wi"]), (&Value::Null, &json!([0.0, 0.0, -1.0])));
+    assert_eq!(back["weight"], json!([1.0, 1.0, 1.0]));
+    assert_eq!(drawn(0.041, "importance")["weight"], json!([1.0, 1.0, 1.0]));
+    assert!((through["weight"][0].as_f64().expect("a number") - 1.0 / 2.25).abs() < 1e-15);
+
+    let plastic = r#"{"brdf": {"plastic": {"diffuse": 0}}, "wo": [0, 0, 1]"#;
+    assert_eq!(ask(&format!("{plastic}, \"wi\": [0, 0, 1]}}"))["value"], json!([0.0, 0.0, 0.0]));
+    let albedo = &ask(&format!("{plastic}}}"))["albedo"][0];
+    assert!((albedo.as_f64().expect("a number") - 0.04).abs() < 1e-15);
+    assert_eq!(ask(&format!("{plastic}, \"u\": [0.03, 0.5]}}"))["pdf"], Value::Null);
+    assert!(ask(&format!("{plastic}, \"u\": [0.05, 0.5]}}"))["pdf"].is_number());
+
+    let lobes = |model: &str| ask(&format!("{{\"specular\": {model}, \"wo\": [0.8, 0, -0.6]}}"));
+    let count = |model| lobes(model)["lobes"].as_array().expect("a list").len();
+    assert_eq!(count(r#"{"dielectric": {"ior": 1.5}}"#), 1); // total reflection
+    assert_eq!(count(r#"{"dielectric": {"ior": 0.5}}"#), 2);
+    assert_eq!(count(r#"{"mirror": {}}"#), 0);
+    assert_eq!(count(r#"{"lambert": {"albedo": 1}}"#), 0);
 }
 
 #[test]
@@ -204,8 +250,11 @@ fn errors_say_what_and_where_and_what_is_allowed() {
         (
             "{}",
             Some(
-                "a question has the keys brdf, wi, wo; or brdf, wo, u; or brdf, wo; or \
-                     fresnel, cos; or distribution, h; or wgsl, name",
+                "a question has the keys brdf, wi, wo; or brdf, wo, u; or brdf, wo; or bsdf, wi, wo \
+                 and perhaps mode; or bsdf, wo, u and perhaps mode; or bsdf, wo; or specular, wo and \
+                 perhaps mode; or mueller, wi, wo; or gradient, wi, wo; or wgsl, name; or fresnel, \
+                 cos; or fresnel; or distribution, h; or surface, cos and perhaps wavelength; or \
+                 optics and perhaps stokes, wavelength",
             ),
         ),
         (
@@ -275,8 +324,19 @@ fn errors_say_what_and_where_and_what_is_allowed() {
         (
             r#"{"fresnel": {"metal": "Au"}, "cosine": 1}"#,
             Some(
-                "unknown field `cosine`, expected one of `brdf`, `fresnel`, `distribution`, \
-                  `wi`, `wo`, `u`, `cos`, `h`, `wgsl`, `name` at column 37",
+                "unknown field `cosine`, expected one of `brdf`, `bsdf`, `specular`, `fresnel`, \
+                 `distribution`, `wi`, `wo`, `u`, `cos`, `h`, `mueller`, `gradient`, `wgsl`, `name`, \
+                 `surface`, `optics`, `stokes`, `wavelength`, `mode` at column 37",
+            ),
+        ),
+        (
+            r#"{"specular": {"mirror": {}}, "wo": [0, 0, 1], "mode": "light"}"#,
+            Some("mode must be radiance or importance, not light"),
+        ),
+        (
+            r#"{"bsdf": {"rough_dielectric": {"distribution": {"blinn": {"exponent": 9}}, "ior": 1}}, "wo": [0, 0, 1]}"#,
+            Some(
+                "bsdf: rough_dielectric.distribution: a rough dielectric has facets of beckmann or ggx",
             ),
         ),
         (
@@ -296,6 +356,7 @@ fn errors_say_what_and_where_and_what_is_allowed() {
         r#"{"brdf": {"lambert": {"albedo": 1}}, "wi": [0,0,1]}"#,
         r#"{"fresnel": {"constant": 1}, "cos": 1, "h": [0,0,1]}"#,
         r#"{"distribution": {"ggx": {"roughness": 1}}}"#,
+        r#"{"bsdf": {"lambert": {"albedo": 1}}, "wo": [0,0,1], "mode": "radiance"}"#,
     ] {
         assert!(error(question).starts_with("a question has the keys"), "{question}");
     }
