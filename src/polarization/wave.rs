@@ -35,10 +35,13 @@ impl<T: Real> Boundary<T> {
         normal: Complex<T>,
     ) -> Self {
         let (product, tangential) = (normal * bottom, incidence.tangential_squared);
-        let [sum, parallel] = inverses(normal + bottom, product + tangential);
-        let s = behind.contrast * sum * sum;
+        let sum = normal + bottom;
+        let [inverse, parallel] = inverses(sum.squared(), product + tangential);
+        let s = behind.contrast * inverse;
         let p = s * (tangential - product) * parallel;
-        Self { s, p, through_s: sum, through_p: sum * parallel * (index * behind.index) }
+        // Where the reflection is asked for alone, this is not computed.
+        let through_s = sum.inverse();
+        Self { s, p, through_s, through_p: through_s * parallel * (index * behind.index) }
     }
 }
 
@@ -47,7 +50,9 @@ impl<T: Real> Boundary<T> {
 fn inverses<T: Real>(a: Complex<T>, b: Complex<T>) -> [Complex<T>; 2] {
     let (a_squared, b_squared) = (a.norm_squared(), b.norm_squared());
     let scale = T::one() / (a_squared * b_squared).max(Complex::floor());
-    [a.conj() * (b_squared * scale), b.conj() * (a_squared * scale)]
+    // Where the floor acts, one of them is next to 0 and the quotient must stay finite.
+    let most = T::max_finite();
+    [a.conj() * (b_squared * scale).min(most), b.conj() * (a_squared * scale).min(most)]
 }
 
 /// What is known of all that lies below a plane in a medium.
