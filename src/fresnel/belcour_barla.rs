@@ -37,9 +37,10 @@ use crate::real::{Color, Lift, Real, Vector, in_place};
 /// below 0 counts as 0. White of C₀ = 1 has XYZ of 1.0005, 1.0002, 1.0011.
 ///
 /// # Accuracy
-/// The indices do not depend on the wavelength. Against [`Layers`](crate::polarization::Layers) integrated
-/// over the spectrum the series leaves out m > 3, and the fits replace the colour matching functions:
-/// see the tests for the difference.
+/// The indices do not depend on the wavelength. The series leaves out m > 3, and the fits replace the colour
+/// matching functions: against [`Layers`](crate::polarization::Layers) integrated over the spectrum X, Y
+/// and Z are off by up to 0.023 for soap in air (0.002 in the mean), 0.028 for an oxide on titanium,
+/// 0.055 for a film on gold.
 ///
 /// # Sources
 /// L. Belcour, P. Barla, *A Practical Extension to Microfacet Theory for the Modeling of Varying
@@ -130,26 +131,26 @@ impl<T: Real, C: Color<T>> BelcourBarla<C, T> {
     #[inline(always)]
     #[must_use]
     pub fn xyz(&self, cos_theta: T) -> [T; 3] {
-        let [outside, film] = [self.outside, self.film].map(Complex::real);
+        let (outside, film) = (Complex::real(self.outside), Complex::real(self.film));
         let Bounces { normal, upper, entering, lower } =
             Bounces::new(outside, film, self.substrate, cos_theta);
         let path = normal.re * (self.thickness + self.thickness);
         let s = Orders::new(upper.s, entering.s, lower.s);
         let p = Orders::new(upper.p, entering.p, lower.p);
         let first = (s.first + p.first) * T::lit(0.5);
-        let turned = (s.turned, p.turned);
-        let second = (turned.0 * turned.0, turned.1 * turned.1);
-        let third = (second.0 * turned.0, second.1 * turned.1);
         // Twice C_m, and half of each polarisation.
-        let waves = [turned, second, third].map(
-            #[inline(always)]
-            |(of_s, of_p)| of_s * s.later + of_p * p.later,
-        );
-        let [x, more_x, y, z] = LOBES.map(
-            #[inline(always)]
-            |lobe| lobe.seen(first, path, waves),
-        );
-        [x + more_x, y, z]
+        let second = [s.turned.squared(), p.turned.squared()];
+        let third = [second[0] * s.turned, second[1] * p.turned];
+        let waves = [
+            s.turned * s.later + p.turned * p.later,
+            second[0] * s.later + second[1] * p.later,
+            third[0] * s.later + third[1] * p.later,
+        ];
+        [
+            X[0].seen(first, path, waves) + X[1].seen(first, path, waves),
+            Y.seen(first, path, waves),
+            Z.seen(first, path, waves),
+        ]
     }
 }
 
@@ -187,13 +188,12 @@ struct Lobe {
     decay: f64,
 }
 
-/// Two of X, of Y and of Z.
-const LOBES: [Lobe; 4] = [
+const X: [Lobe; 2] = [
     Lobe { scale: 0.8465900023036574, turns: 1.6810e-3, decay: 1.708546957081381e-7 },
     Lobe { scale: 0.15386830651283523, turns: 2.2399e-3, decay: 1.7876617059605132e-7 },
-    Lobe { scale: 1.0002218935839293, turns: 1.7953e-3, decay: 3.673308844415042e-7 },
-    Lobe { scale: 1.0011224857215686, turns: 2.2084e-3, decay: 2.6103524504177177e-7 },
 ];
+const Y: Lobe = Lobe { scale: 1.0002218935839293, turns: 1.7953e-3, decay: 3.673308844415042e-7 };
+const Z: Lobe = Lobe { scale: 1.0011224857215686, turns: 2.2084e-3, decay: 2.6103524504177177e-7 };
 
 impl Lobe {
     /// What is seen of light without delay and of three waves that are behind by a path, by twice and

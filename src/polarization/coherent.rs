@@ -49,7 +49,13 @@ pub struct Layer<V = f32, T = V> {
 ///
 /// # Accuracy
 /// e decays in an absorbing layer, so that a layer of any thickness is stable, unlike products of
-/// matrices. In `f32` the phase 4π q d/λ carries the rounding of its own size.
+/// matrices. In `f64` R + T = 1 to 10⁻¹⁴ with a few transparent layers; resonances of up to 64 layers make
+/// more of rounding, up to some 10⁻¹² in random stacks.
+///
+/// In `f32` the phase 4π q d/λ carries the rounding of its own size. R of one film is within 2·10⁻⁶ of
+/// `f64` for d ≤ λ (on metals, glass and in air, cosθ ≥ 0.1), and grows from there with d, faster where
+/// both surfaces reflect much: 10⁻⁵ at ten wavelengths of an oxide on a metal. Eight quarter-wave pairs
+/// are at 4·10⁻⁶, 32 pairs at 10⁻⁴.
 ///
 /// # Sources
 /// G. B. Airy 1833; P. Rouard, *Études des propriétés optiques des lames métalliques très minces*,
@@ -152,6 +158,16 @@ impl<T: Real> Layers<T> {
                 |index| [self.bare(&self.incidence(cosines.cos(index)))],
             );
         };
+        if films.is_empty() {
+            return cosines.numbers(
+                values,
+                #[inline(always)]
+                |index| {
+                    let incidence = self.incidence(cosines.cos(index));
+                    [self.whole(&incidence, &last.medium, self.bottom(last, &incidence))]
+                },
+            );
+        }
         let mut planes = [[T::zero(); BLOCK]; 6];
         cosines.numbers(
             &mut planes,

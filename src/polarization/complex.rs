@@ -87,13 +87,15 @@ impl<T: Real> Complex<T> {
         let (re, im) = (self.re * scale, self.im * scale);
         // Between 1 and 2, but for parts below the floor of `larger`.
         let quotient = scale / (re.squared() + im.squared()).max(T::lit(1e-37));
+        let quotient = quotient.min(T::max_finite());
         Self { re: re * quotient, im: -(im * quotient) }
     }
 
     /// That of the two square roots with the sum of its parts positive. It is the one that a wave in
     /// a medium takes, which travels away from the surface and decays.
     ///
-    /// The root of 0, which would have no derivative, is a small number instead.
+    /// The root of 0, which would have no derivative, is a small number instead. |z|² must fit into the
+    /// number.
     #[inline(always)]
     #[must_use]
     pub fn root(self) -> Self {

@@ -48,7 +48,9 @@ impl<T: Real> Boundary<T> {
 /// 1/a and 1/b by one division, of numbers whose squares neither overflow nor underflow together.
 #[inline(always)]
 fn inverses<T: Real>(a: Complex<T>, b: Complex<T>) -> [Complex<T>; 2] {
-    let (a_squared, b_squared) = (a.norm_squared(), b.norm_squared());
+    // No boundary of passive media comes near the bound, which keeps the product finite.
+    let bound = T::lit(1e18);
+    let (a_squared, b_squared) = (a.norm_squared().min(bound), b.norm_squared().min(bound));
     let scale = T::one() / (a_squared * b_squared).max(Complex::floor());
     // Where the floor acts, one of them is next to 0 and the quotient must stay finite.
     let most = T::max_finite();
@@ -126,7 +128,7 @@ impl<T: Real> Wave<T> {
     #[inline(always)]
     pub(super) fn across(self, waves: T) -> Self {
         // In a stack seen from an absorbing medium a wave may grow; the bound keeps it finite.
-        let growth = (self.normal.im * (waves * T::lit(-TAU))).min(T::lit(20.0));
+        let growth = (self.normal.im * (waves * T::lit(-TAU))).min(T::lit(5.0));
         let turns = self.normal.re * waves;
         // Each of its own: where the reflection is asked for alone, nothing else is computed.
         let round_trip = Complex::from_turns((growth + growth).exp(), turns + turns);
