@@ -4,10 +4,14 @@ use brdf::polarization::{
     Amplitudes, Complex, Interface, Jones, Layer, Layers, Mueller, Plates, Stokes,
 };
 
-use super::reference::{Case, each};
-use super::{Check, Number, Verdict};
+use brdf::colorimetry::xyz_to_linear_srgb;
+use brdf::{BelcourBarla, Fresnel};
+use glam::DVec3;
 
-pub(super) fn all<T: Number>() -> [Check; 9] {
+use super::reference::{Case, each};
+use super::{Check, Number, Verdict, near, plain};
+
+pub(super) fn all<T: Number>() -> [Check; 10] {
     [
         ("amplitudes of dielectrics", dielectrics::<T>),
         ("amplitudes of conductors", conductors::<T>),
@@ -18,6 +22,7 @@ pub(super) fn all<T: Number>() -> [Check; 9] {
         ("coloured conductors in polarised light", tint::<T>),
         ("pile of plates", plates::<T>),
         ("thin film", film::<T>),
+        ("thin film over the spectrum", belcour_barla::<T>),
     ]
 }
 
@@ -206,5 +211,31 @@ fn film<T: Number>() -> Verdict {
             case.same("R", stack.reflectance(cos))?;
         }
         Ok(())
+    })
+}
+
+fn belcour_barla<T: Number>() -> Verdict {
+    each("thin_film_belcour_barla", |case| {
+        let substrate = [case.input::<T>("n3"), case.input("k3")];
+        let (film, outside) = (case.input("n2"), case.input("n1"));
+        let film: BelcourBarla<T::Vec3, T> =
+            BelcourBarla::new(film, case.input("d_nm"), substrate, outside)?;
+        let found = film.xyz(cos(case, "theta"));
+        for (place, got) in found.into_iter().enumerate() {
+            let want = case.output("xyz")[place].as_f64().expect("a number");
+            case.compare("xyz", got, want)?;
+        }
+        // White is white, and the colour of the film that of its XYZ.
+        let mirror: BelcourBarla<T::Vec3, T> =
+            BelcourBarla::new(T::one(), T::zero(), [T::lit(1e-4), T::lit(1e4)], T::one())?;
+        let white = plain::<T>(mirror.reflectance(T::one()));
+        let [x, y, z] = mirror.xyz(T::one()).map(Into::into);
+        near("white", (white - DVec3::new(1.0005, 1.0002, 1.0011)).abs().max_element(), 0.0, 2e-3)?;
+        let to = xyz_to_linear_srgb(DVec3::new(x, y, z)) / xyz_to_linear_srgb(DVec3::ONE);
+        near("colour", (to - white).abs().max_element(), 0.0, 1e-14)?;
+        let found = DVec3::from_array(found.map(Into::into));
+        let want = xyz_to_linear_srgb(found) / xyz_to_linear_srgb(DVec3::ONE);
+        let seen = plain::<T>(film.reflectance(cos(case, "theta")));
+        near("colour", (seen - want).abs().max_element(), 0.0, 1e-14)
     })
 }
