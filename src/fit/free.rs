@@ -55,7 +55,7 @@ impl Free {
 
     pub(super) fn is_at_bound(&self, value: f64) -> bool {
         let part = self.part(value);
-        part < END || part > 1.0 - END
+        !(END..=1.0 - END).contains(&part)
     }
 }
 
