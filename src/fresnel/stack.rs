@@ -133,8 +133,9 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Stack<C, T> {
 
     #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
-        let of = |place: usize| {
-            self.channels.get(place).map_or(T::zero(), |layers| layers.reflectance(cos_theta))
+        let of = |place: usize| match self.channels.get(place) {
+            Some(layers) => layers.reflectance(cos_theta),
+            None => T::zero(),
         };
         C::from_channels(C::by_channel(of))
     }

@@ -188,7 +188,7 @@ impl<T: Real> Mul<T> for Complex<T> {
 impl<T: Real> Div for Complex<T> {
     type Output = Self;
     #[inline(always)]
-    #[allow(clippy::suspicious_arithmetic_impl, reason = "a quotient is a product with an inverse")]
+    #[allow(clippy::suspicious_arithmetic_impl, reason = "the inverse guards the division")]
     fn div(self, other: Self) -> Self {
         self * other.inverse()
     }

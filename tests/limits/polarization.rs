@@ -302,6 +302,15 @@ fn batches_and_lanes_have_the_same_bits() {
     assert_eq!(four.y.0[1], film.reflectance(0.4).y);
 }
 
+/// A mirror under no film is white.
+#[test]
+fn the_white_of_belcour_barla_is_white() {
+    let mirror: BelcourBarla<DVec3, f64> =
+        BelcourBarla::new(1.0, 0.0, [1e-4, 1e4], 1.0).expect("in range");
+    let off = mirror.reflectance(1.0) - DVec3::new(1.0005, 1.0002, 1.0011);
+    assert!(off.abs().max_element() < 2e-3, "{off}");
+}
+
 /// At most so far from the integral over the spectrum of equal energy, in X, Y and Z: what the
 /// documentation says.
 #[test]
