@@ -41,16 +41,17 @@ fn albedo_is_the_integral() {
     for entry in models::double() {
         for theta in angles(6) {
             let wo = from_spherical(theta, 0.7);
-            let integral = albedo(&*entry.model, wo, 3e-6);
+            let integral = albedo(&*entry.model, wo, 1e-5);
             let error = (entry.model.albedo(wo) - integral.value).abs().max_element();
             let promised = entry.promises.albedo_error * integral.value.max_element().max(1.0);
             let context =
                 format!("{} {:8.4}° {error:.1e}: {integral:?}", entry.name, theta.to_degrees());
             println!("{context}");
-            assert!(integral.error <= 3e-6, "{context}");
-            // What the cubature says of its error is an estimate: for a narrow lobe of gold at 75° it is
-            // 2.3 times as far off.
-            assert!(error <= promised + 3.0 * integral.error, "{context}");
+            assert!(integral.error <= 1e-5, "{context}");
+            // What the cubature says of its error is an estimate, too small where a kink of V-cavities
+            // falls into a cell: at roughness 1 and 0° the albedo is 0.45344683, it finds 0.45343056 and
+            // says 2·10⁻⁶. `albedo` compares with a reference that is cut at the kinks.
+            assert!(error <= promised + 3e-5, "{context}");
         }
     }
 }
