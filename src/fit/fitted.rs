@@ -65,7 +65,15 @@ impl<D> Fitted<D> {
 impl<D: Fittable> Fitted<D> {
     /// The end of a fit of `count` residuals.
     pub(super) fn of(problem: &Problem<'_, D>, sum: f64, count: usize) -> Result<Self, FitError> {
-        let (values, _) = problem.values_and_slopes();
+        let (mut values, _) = problem.values_and_slopes();
+        let derivatives = problem.derivatives(&values)?;
+        // A number without influence stays what it was: a start at a bound had moved inside.
+        let columns = derivatives.column_iter().zip(problem.free);
+        for (value, (column, free)) in values.iter_mut().zip(columns) {
+            if column.norm() == 0.0 {
+                *value = free.start;
+            }
+        }
         let description = problem.description.changed(&|path, value| {
             let path = path.to_string();
             let place = problem.free.iter().position(|free| free.path == path);
@@ -78,7 +86,7 @@ impl<D: Fittable> Fitted<D> {
             .map(|(free, value)| free.is_at_bound(*value))
             .collect();
         let spread = (sum / count.saturating_sub(values.len()).max(1) as f64).sqrt();
-        let (errors, correlation) = errors(problem.derivatives(&values)?, &at_bound);
+        let (errors, correlation) = errors(derivatives, &at_bound);
         let parameters = problem.free.iter().zip(values).zip(errors).zip(at_bound).map(
             |(((free, value), error), at_bound)| FittedParameter {
                 path: free.path.clone(),
