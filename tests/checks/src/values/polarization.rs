@@ -1,12 +1,11 @@
 //! Amplitudes, Jones and Mueller matrices, plates and films.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use brdf::colorimetry::xyz_to_linear_srgb;
 use brdf::polarization::{
     Amplitudes, Complex, Interface, Jones, Layer, Layers, Mueller, Plates, Stokes,
 };
-
-use std::f64::consts::PI;
-
-use brdf::colorimetry::xyz_to_linear_srgb;
 use brdf::{Beckmann, BelcourBarla, Brdf, Constant, CookTorrance, Fresnel, from_spherical};
 use glam::DVec3;
 
@@ -61,8 +60,8 @@ fn same_matrix<T: Number>(case: &Case<'_>, got: &Mueller<T>) -> Verdict {
 /// An angle up to whole turns.
 fn same_angle<T: Number>(case: &Case<'_>, key: &str, got: T) -> Verdict {
     let (got, want) = (got.into(), case.output(key).as_f64().expect("an angle"));
-    let turns = ((got - want) / std::f64::consts::TAU).round();
-    case.compare(key, got - turns * std::f64::consts::TAU, want)
+    let turns = ((got - want) / TAU).round();
+    case.compare(key, got - turns * TAU, want)
 }
 
 fn dielectrics<T: Number>() -> Verdict {
@@ -174,7 +173,7 @@ fn tint<T: Number>() -> Verdict {
         let light = found.mueller_reflection() * Stokes::linear(T::one(), pol);
         case.same("R", light.i)?;
         // An ideal mirror turns the azimuth to −pol; the analyser stands across that.
-        let analyser = Jones::polarizer(T::lit(std::f64::consts::FRAC_PI_2) - pol);
+        let analyser = Jones::polarizer(T::lit(FRAC_PI_2) - pol);
         let field = [Complex::real(pol.cos()), Complex::real(pol.sin())];
         let crossed = analyser.apply(found.reflection().apply(field));
         case.same("crossed", Stokes::of_field(crossed).i)
