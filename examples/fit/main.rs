@@ -4,8 +4,8 @@
 //! cargo run --release --example fit -- --out gallery/fits
 //! ```
 //!
-//! One figure for each material, a small one for two of them, and the tables of residuals and
-//! parameters as Markdown. `docs/measured-fits.md` says how the fits are made.
+//! `index.html` shows one figure for each material; beside it lie a small figure of two of them
+//! and the tables of residuals and parameters as Markdown. `docs/measured-fits.md` says how the fits are made.
 
 #[allow(dead_code, reason = "colours that only the materials need")]
 #[path = "../materials/colors.rs"]
@@ -16,12 +16,20 @@ mod curves;
 mod figure;
 #[path = "../materials/folder.rs"]
 mod folder;
+#[path = "../gallery/index.rs"]
+mod index;
+#[path = "../gallery/picture.rs"]
+mod picture;
 
 use std::error::Error;
 use std::{env, fs};
 
 use brdf_checks::fits::{self, family::Family};
 use indicatif::{ProgressBar, ProgressStyle};
+use picture::Picture;
+
+const INTRODUCTION: &str = "Models of the crate brdf fitted to measured materials. The tables of \
+    residuals and parameters are in fits.md beside this page.";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let about = "Fits models to measured materials and draws them beside the measurements.";
@@ -42,6 +50,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     for figure in &figures {
         figure.draw(&folder)?;
     }
-    println!("\n{} figures in {}", figures.len(), folder.display());
+    let picture = |figure: &figure::Figure| Picture {
+        file: format!("{}.svg", figure.name),
+        title: figure.title.clone(),
+        caption: figure.subtitle.clone(),
+        section: "Measured points and fitted curves",
+    };
+    let pictures: Vec<Picture> = figures.iter().map(picture).collect();
+    let page = folder.join("index.html");
+    let title = "Models fitted to measured materials";
+    fs::write(&page, index::page(title, INTRODUCTION, &[index::GALLERY], &pictures))?;
+    println!("\n{} figures: {}", figures.len(), page.display());
     Ok(())
 }

@@ -49,12 +49,6 @@ impl Environment {
         Ok(Self::tabulated(width, height, radiance, turn))
     }
 
-    /// The same radiance from everywhere: a white furnace.
-    pub fn uniform(radiance: f32) -> Self {
-        let (width, height) = (2, 16);
-        Self::tabulated(width, height, vec![Vec3::splat(radiance); width * height], 0.0)
-    }
-
     fn tabulated(width: usize, height: usize, radiance: Vec<Vec3>, turn: f32) -> Self {
         let mut environment =
             Self { width, height, radiance, turn, rows: Vec::new(), columns: Vec::new() };

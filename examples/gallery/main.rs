@@ -6,10 +6,18 @@
 
 mod environment;
 mod index;
+mod lettering;
 mod metal;
 mod picture;
+#[path = "../path_tracer/plastic.rs"]
+mod plastic;
 mod plots;
 mod scenes;
+#[path = "../path_tracer/screen.rs"]
+mod screen;
+#[allow(dead_code, reason = "light and pigments that only the path tracer needs")]
+#[path = "../path_tracer/spectral.rs"]
+mod spectral;
 mod sphere;
 
 use std::error::Error;
@@ -25,19 +33,31 @@ const SQUARE: &[u8] = include_bytes!("data/city_256x128.hdr");
 /// Puts the brightest clouds to the left of the viewer and the buildings behind.
 const TURN: f32 = 0.1;
 /// White balance: a little warm, as the eye would have it.
-const EXPOSURE: Vec3 = Vec3::new(0.95, 0.9, 0.72);
+const EXPOSURE: Vec3 = Vec3::new(0.475, 0.45, 0.36);
 /// A round lamp before the square, at the left above the viewer's shoulder.
-const LAMP: Lamp = Lamp {
-    towards: Vec3::new(-0.5, 0.62, 0.6),
-    radius: 0.2,
-    radiance: Vec3::new(26.0, 23.0, 18.0),
-};
+const LAMP: Lamp =
+    Lamp { towards: Vec3::new(-0.5, 0.62, 0.6), radius: 0.2, radiance: Vec3::new(13.0, 11.5, 9.0) };
 
 const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
-    Unless a caption says otherwise, the light is a photographed square under an overcast sky, with \
-    a round warm lamp added above at the left. Exposure is fixed, so brightnesses compare. The tone curve is M/(1 + M) for the largest channel M, the \
-    others keep their ratio to it; then sRGB. No sphere sees another. α is roughness, n an exponent \
-    or an index of refraction, σ an angle in radians.";
+    The square is a photographed one under an overcast sky, and the lamp is round and warm, above \
+    at the left. Exposure is fixed, so brightnesses compare. Colours whose largest channel is at most 0.76 \
+    are shown as they are; brighter ones bend towards white. No sphere sees another. Where \
+    spheres look alike, a square shows the difference of the pictures' values, so many times, on \
+    grey. α is roughness, n an exponent or an index of refraction, σ an angle in radians.";
+
+/// Other pages: where they are from this one, what is on them, and the example that makes them.
+const PAGES: [index::Link; 2] = [
+    index::Link {
+        page: "materials/index.html",
+        title: "Refractive indices",
+        made_by: "cargo run --release --example materials",
+    },
+    index::Link {
+        page: "fits/index.html",
+        title: "Models fitted to measured materials",
+        made_by: "cargo run --release --example fit",
+    },
+];
 
 struct Arguments {
     out: PathBuf,
@@ -61,22 +81,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     let Arguments { out, small } = arguments()?;
     std::fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
     let square = Environment::new(SQUARE, TURN, EXPOSURE, LAMP)?;
-    let furnace = Environment::uniform(1.0);
-    let scenes = scenes::all(&square, &furnace)?;
+    let scenes = scenes::all(&square)?;
 
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {elapsed}")?;
     let bar = ProgressBar::new(scenes.len() as u64).with_style(style);
     let mut pictures = Vec::new();
     for scene in scenes {
         bar.set_message(scene.picture.file.clone());
-        let quality = match (small, scene.spheres.len()) {
-            (true, _) => Quality { tile: 40, rays: 16 },
-            (false, 1) => Quality { tile: 240, rays: 32 },
-            (false, _) if scene.picture.file == "hero.png" => Quality { tile: 240, rays: 100 },
-            (false, _) => Quality { tile: 180, rays: 32 },
+        let quality = match small {
+            true => Quality { tile: 40, rays: 16 },
+            false => Quality { tile: 300, rays: 32 },
         };
         let path = out.join(&scene.picture.file);
-        sphere::render(&scene.spheres, scene.light, quality)
+        sphere::render(&scene.tiles, scene.light, quality)?
             .save(&path)
             .map_err(|error| format!("{}: {error}", path.display()))?;
         pictures.push(scene.picture);
@@ -92,7 +109,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     bar.finish_and_clear();
 
     let page = out.join("index.html");
-    std::fs::write(&page, index::page(INTRODUCTION, &pictures))
+    std::fs::write(&page, index::page("Reflectance models", INTRODUCTION, &PAGES, &pictures))
         .map_err(|error| format!("{}: {error}", page.display()))?;
     println!("{} pictures: {}", pictures.len(), page.display());
     Ok(())

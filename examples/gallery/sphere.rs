@@ -1,22 +1,43 @@
 //! Pictures of lit spheres.
 
+use std::error::Error;
+
 use brdf::{Brdf, Frame};
 use glam::{Vec2, Vec3};
-use image::RgbImage;
+use image::{Rgb, RgbImage};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use rayon::prelude::*;
 
 use crate::environment::Environment;
+use crate::{lettering, screen};
 
 /// A model of any kind.
 pub type Material = Box<dyn Brdf<Color = Vec3>>;
+
+/// What a square of a picture shows.
+pub enum Tile {
+    /// A sphere.
+    Sphere(Material),
+    /// The picture of a square minus that of another, both given by their places, so many times, on
+    /// a middle grey.
+    Difference {
+        /// Of this square.
+        of: usize,
+        /// Minus this square.
+        minus: usize,
+        /// Times this.
+        times: f32,
+    },
+}
 
 /// What lights the spheres.
 #[derive(Clone, Copy, Debug)]
 pub enum Light<'a> {
     /// Radiance from all around.
     Around(&'a Environment),
+    /// Radiance 1 from everywhere, shown without a tone curve: 1 is white.
+    Furnace,
     /// Parallel light from a direction in the camera's frame (x right, y up, z to the viewer),
     /// with the irradiance of a surface that faces it.
     Distant {
@@ -25,6 +46,27 @@ pub enum Light<'a> {
         /// For all three channels.
         irradiance: f32,
     },
+}
+
+impl Light<'_> {
+    /// What a caption says of it.
+    pub fn words(&self) -> String {
+        match self {
+            Self::Around(_) => "Light: the square and the lamp.".into(),
+            Self::Furnace => {
+                "Light: a white furnace, radiance 1 from everywhere. 1 is shown white, and what is \
+                 above 1 red."
+                    .into()
+            }
+            Self::Distant { towards, .. } if towards.z > 0.999 => {
+                "Light: parallel, from behind the viewer.".into()
+            }
+            Self::Distant { towards, .. } => {
+                let angle = towards.z.acos().to_degrees();
+                format!("Light: parallel, from the right, {angle:.0}° from the viewer.")
+            }
+        }
+    }
 }
 
 /// Width of a sphere's square in pixels and rays per pixel.
@@ -40,28 +82,68 @@ pub struct Quality {
 const RADIUS: f32 = 0.88;
 /// Height of the camera above the horizon, radians: the upper pole is in view.
 const ELEVATION: f32 = 0.35;
-/// The background at the top and at the bottom, linear display values.
-const BACKGROUND: [f32; 2] = [0.10, 0.035];
+/// The background at the top and at the bottom, values of a screen.
+const BACKGROUND: [f32; 2] = [0.35, 0.2];
 
-/// A row of spheres of unit radius, one per square, seen by a distant camera (parallel rays). Each
-/// is alone in its light: no shadow or reflection of another.
-pub fn render(materials: &[Material], light: Light, quality: Quality) -> RgbImage {
-    let (width, height) = (quality.tile * materials.len() as u32, quality.tile);
-    let mut picture = RgbImage::new(width, height);
-    picture.par_chunks_exact_mut(3).enumerate().for_each(|(index, pixel)| {
-        let (x, y) = (index as u32 % width, index as u32 / width);
-        let material = &materials[(x / quality.tile) as usize];
-        let corner = Vec2::new((x % quality.tile) as f32, y as f32);
-        let mut random = Pcg32::seed_from_u64(index as u64);
-        let linear = pixel_color(material, light, corner, quality, random.random());
-        pixel.copy_from_slice(&linear.to_array().map(encode));
-    });
-    picture
+/// The height of the letters over the width of a square.
+const LETTERS: f32 = 0.064;
+/// The height of a line of letters over that of the letters.
+const LINE: f32 = 1.3;
+const INK: [u8; 3] = [34; 3];
+
+/// A row of squares with a label under each. Spheres have unit radius and are seen by a distant
+/// camera (parallel rays); each is alone in its light: no shadow or reflection of another.
+///
+/// # Errors
+/// If there are no letters for the labels.
+pub fn render(
+    tiles: &[(String, Tile)],
+    light: Light,
+    quality: Quality,
+) -> Result<RgbImage, Box<dyn Error>> {
+    let letters = LETTERS * quality.tile as f32;
+    let lines = tiles.iter().map(|(label, _)| label.split('\n').count()).max().unwrap_or(0);
+    let band = (letters * LINE * (lines as f32 + 0.5)).ceil() as u32;
+    let (width, height) = (quality.tile * tiles.len() as u32, quality.tile + band);
+    let mut picture = RgbImage::from_pixel(width, height, Rgb([255; 3]));
+    let mut shown: Vec<Vec<Vec3>> = Vec::new();
+    for (place, (label, tile)) in tiles.iter().enumerate() {
+        let left = place as u32 * quality.tile;
+        let square = match tile {
+            Tile::Sphere(material) => sphere(material, light, quality),
+            Tile::Difference { of, minus, times } => {
+                let difference = |(of, minus): (&Vec3, &Vec3)| 0.5 + (*of - *minus) * *times;
+                shown[*of].iter().zip(&shown[*minus]).map(difference).collect()
+            }
+        };
+        for (index, value) in square.iter().enumerate() {
+            let (x, y) = (index as u32 % quality.tile, index as u32 / quality.tile);
+            picture.put_pixel(left + x, y, Rgb(screen::bytes(*value)));
+        }
+        shown.push(square);
+        for (line, text) in label.split('\n').enumerate() {
+            let middle = left as f32 + 0.5 * quality.tile as f32;
+            let y = quality.tile as f32 + letters * LINE * (line as f32 + 0.75);
+            lettering::centered(&mut picture, text, [middle, y], letters, INK)?;
+        }
+    }
+    Ok(picture)
 }
 
-/// Linear display colour of one pixel. Sphere and background are averaged apart and joined after
-/// the tone curve, so that bright edges are smooth.
-fn pixel_color(
+/// One square as a screen's values, 0 … 1. The pixels of all squares draw the same numbers, so that
+/// differences are of the models and not of the noise.
+fn sphere(material: &Material, light: Light, quality: Quality) -> Vec<Vec3> {
+    let pixel = |index: u32| {
+        let corner = Vec2::new((index % quality.tile) as f32, (index / quality.tile) as f32);
+        let mut random = Pcg32::seed_from_u64(index.into());
+        pixel_value(material, light, corner, quality, random.random())
+    };
+    (0..quality.tile * quality.tile).into_par_iter().map(pixel).collect()
+}
+
+/// A pixel as a screen's value. Sphere and background are averaged apart and joined after the tone
+/// curve, so that bright edges are smooth.
+fn pixel_value(
     material: &Material,
     light: Light,
     corner: Vec2,
@@ -85,11 +167,19 @@ fn pixel_color(
         }
     }
     let [top, bottom] = BACKGROUND;
-    let background = Vec3::splat(top + (bottom - top) * corner.y / tile);
+    let background = match light {
+        Light::Furnace => Vec3::ONE,
+        _ => Vec3::splat(top + (bottom - top) * corner.y / tile),
+    };
     if hits == 0.0 {
         return background;
     }
-    background.lerp(tone(sum / hits), hits / f32::from(quality.rays))
+    let radiance = sum / hits;
+    let shown = match light {
+        Light::Furnace => screen::encode(furnace_tone(radiance)),
+        _ => screen::value(radiance),
+    };
+    background.lerp(shown, hits / f32::from(quality.rays))
 }
 
 /// A point of the unit square: additive recurrence with powers of the root of x³ = x + 1
@@ -119,6 +209,7 @@ fn radiance(material: &Material, light: Light, position: Vec2, u: [f32; 4]) -> V
             let wi = frame.to_local::<f32>(to_world(towards));
             material.eval(wi, wo) * wi.z.max(0.0) * irradiance
         }
+        Light::Furnace => material.sample(wo, [u[2], u[3]]).weight,
         Light::Around(environment) => reflected(material, environment, &frame, wo, u),
     }
 }
@@ -149,15 +240,10 @@ fn reflected(
     from_light + sample.weight * environment.radiance(direction) * share
 }
 
-/// The tone curve: the largest channel M becomes M/(1 + M), the others keep their ratio to it, so
-/// that bright metal keeps its colour.
-fn tone(radiance: Vec3) -> Vec3 {
-    radiance / (1.0 + radiance.max_element())
-}
-
-/// The sRGB transfer function, 8 bits.
-fn encode(linear: f32) -> u8 {
-    let value =
-        if linear <= 0.0031308 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    (value.clamp(0.0, 1.0) * 255.0).round() as u8
+/// In a furnace a radiance is shown as it is, and the redder the more it is above 1.
+fn furnace_tone(radiance: Vec3) -> Vec3 {
+    // The noise of a white surface is no energy.
+    let excess = (radiance.max_element() - 1.01).max(0.0);
+    let red = Vec3::new(1.0, 1.0 / (1.0 + excess), 1.0 / (1.0 + excess));
+    radiance.min(Vec3::ONE) * red
 }

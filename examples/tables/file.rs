@@ -1,4 +1,4 @@
-//! The table as a file of bytes and as a picture.
+//! The table as a file of bytes.
 //!
 //! All numbers are little endian.
 //!
@@ -9,12 +9,7 @@
 //! | 12…15 | rows, `u32`: roughness α, (row + ½)/rows |
 //! | 16… | row by row, two `f32` for each column: scale and bias |
 //!
-//! The reflected part of light from everywhere is f0 · scale + bias. The picture has the scale in
-//! red and the bias in green; roughness grows downwards, the cosine to the right.
-
-use std::path::Path;
-
-use image::{ImageResult, Rgb, RgbImage};
+//! The reflected part of light from everywhere is f0 · scale + bias.
 
 use super::bake::ScaleAndBias;
 
@@ -32,19 +27,4 @@ pub fn bytes(rows: &[Vec<ScaleAndBias>]) -> Vec<u8> {
         bytes.extend((cell.bias as f32).to_le_bytes());
     }
     bytes
-}
-
-/// The table as a picture.
-///
-/// # Errors
-/// If the file cannot be written.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "eight bits a channel")]
-pub fn picture(rows: &[Vec<ScaleAndBias>], path: &Path) -> ImageResult<()> {
-    let columns = rows.first().map_or(0, Vec::len);
-    let byte = |value: f64| (value.clamp(0.0, 1.0) * 255.0).round() as u8;
-    RgbImage::from_fn(columns as u32, rows.len() as u32, |column, row| {
-        let cell = rows[row as usize][column as usize];
-        Rgb([byte(cell.scale), byte(cell.bias), 0])
-    })
-    .save(path)
 }

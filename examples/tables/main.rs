@@ -5,10 +5,13 @@
 //! cargo run --release --example tables -- --size 128 --samples 4096 --out tables
 //! ```
 //!
-//! Writes `ggx.dfg`, whose format `file.rs` describes, and `ggx.png`.
+//! Writes `ggx.dfg`, whose format `file.rs` describes, and `ggx.png`, a picture of it.
 
 mod bake;
+mod chart;
 mod file;
+#[path = "../gallery/lettering.rs"]
+mod lettering;
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -48,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     bar.finish_and_clear();
     let each = start.elapsed().as_secs_f64() * 1e9 / (size * size * samples) as f64;
     fs::write(out.join("ggx.dfg"), file::bytes(&rows))?;
-    file::picture(&rows, &out.join("ggx.png"))?;
+    chart::draw(&rows, &out.join("ggx.png"))?;
     println!("ggx.dfg and ggx.png in {}, {each:.1} ns a sample", out.display());
     Ok(())
 }

@@ -8,26 +8,27 @@ use glam::DVec3;
 
 use super::cartesian::{Axis, Plot};
 use super::figure::{Curve, Figure, Panel};
-use super::style::PENS;
+use super::style::{ON_TOP, PENS, Pen};
 
 type Model = Box<dyn Brdf<f64, Color = f64>>;
 
 /// The disc of a sphere under light from the viewer's direction.
 pub(super) fn full_moon() -> Result<Figure, Box<dyn Error>> {
-    let mut models: Vec<(String, Model)> = vec![("Lambert".into(), Box::new(Lambert::new(1.0)?))];
-    for sigma in [0.0, 0.1, 0.3, 0.6] {
-        models.push((format!("Oren–Nayar, σ = {sigma}"), Box::new(OrenNayar::new(1.0, sigma)?)));
+    let mut models: Vec<(String, Model, Pen)> = Vec::new();
+    for (sigma, pen) in [0.0, 0.1, 0.3, 0.6].into_iter().zip(PENS) {
+        let model = Box::new(OrenNayar::new(1.0, sigma)?);
+        models.push((format!("Oren–Nayar, σ = {sigma}"), model, pen));
     }
+    models.push(("Lambert".into(), Box::new(Lambert::new(1.0)?), ON_TOP));
     let radiance = |model: &Model, place: f64| {
         let w = from_spherical(place.clamp(-1.0, 1.0).asin(), 0.0);
         model.eval(w, w) * w.z
     };
     let curves = models
         .iter()
-        .zip(PENS)
-        .map(|((name, model), pen)| {
+        .map(|(name, model, pen)| {
             let center = radiance(model, 0.0);
-            Curve::new(name.clone(), pen, (-1.0, 1.0), |x| radiance(model, x) / center)
+            Curve::new(name.clone(), *pen, (-1.0, 1.0), |x| radiance(model, x) / center)
         })
         .collect();
     let disc = Plot {

@@ -104,9 +104,9 @@ pub(super) fn conserving() -> Result<Figure, Box<dyn Error>> {
         Ok(CookTorrance::from_parts(Ggx::new(m)?, white()?, VCavity))
     };
     let facets: [(&str, Model); 7] = [
-        ("Beckmann, V-cavity", Box::new(beckmann()?)),
+        ("Beckmann, V-cavity", Box::new(beckmann()?.with_shadowing(VCavity))),
         ("Beckmann, Smith correlated", Box::new(beckmann()?.with_shadowing(SmithCorrelated))),
-        ("GGX, V-cavity", Box::new(ggx()?)),
+        ("GGX, V-cavity", Box::new(ggx()?.with_shadowing(VCavity))),
         ("GGX, Smith correlated", Box::new(ggx()?.with_shadowing(SmithCorrelated))),
         ("GGX, Smith separable", Box::new(ggx()?.with_shadowing(SmithSeparable))),
         ("Gaussian, V-cavity", Box::new(CookTorrance::new(Gaussian::new(m)?, white()?))),

@@ -10,7 +10,7 @@ use plotters::prelude::RGBColor;
 
 use super::figure::{Curve, Figure, Panel};
 use super::polar::Lobes;
-use super::style::{BLUE, Dash, GREEN, INK, PENS, Pen, SHORT, VERMILION};
+use super::style::{BLUE, Dash, GREEN, INK, ON_TOP, PENS, Pen, SHORT, VERMILION};
 
 const SECTION: &str = "Lobes";
 
@@ -44,7 +44,10 @@ fn panel(heading: &str, models: &[Lit], radius: Radius) -> Panel {
             Curve::new(name.clone(), *pen, (-89.99, 89.99), values(model, *light))
         })
         .collect();
-    let overall = curves.iter().map(|curve| curve.highest().1).fold(0.0, f64::max);
+    let largest = curves.iter().map(|curve| curve.highest().1).fold(0.0, f64::max);
+    let step = round_step(largest / 2.0);
+    // In proportion to the value: the circle is a round number, the first above all values.
+    let overall = if radius == Radius::Common { step * (largest / step).ceil() } else { largest };
     for curve in &mut curves {
         let largest = if radius == Radius::Own { curve.highest().1 } else { overall };
         for (_, value) in &mut curve.points {
@@ -65,7 +68,9 @@ fn panel(heading: &str, models: &[Lit], radius: Radius) -> Panel {
     }
     let (text, circles) = match radius {
         Radius::Common => {
-            ("f / sr⁻¹", [0.5, 1.0].map(|part| (part, format!("{:.2}", part * overall))).to_vec())
+            let values = (1..=8).map(|index| step * f64::from(index));
+            let inside = values.take_while(|value| *value < overall + 0.5 * step);
+            ("f / sr⁻¹", inside.map(|value| (value / overall, rounded(value))).collect())
         }
         Radius::Own => {
             ("f over its largest value", [0.5, 1.0].map(|part| (part, format!("{part}"))).to_vec())
@@ -78,15 +83,31 @@ fn panel(heading: &str, models: &[Lit], radius: Radius) -> Panel {
     Panel::Lobes(Lobes { heading: heading.into(), radius: text.into(), incidence, circles, curves })
 }
 
+/// The largest of the numbers 1, 2 and 5 times a power of ten up to a number.
+fn round_step(most: f64) -> f64 {
+    let decade = 10_f64.powf(most.log10().floor());
+    [5.0, 2.0, 1.0]
+        .map(|leading| leading * decade)
+        .into_iter()
+        .find(|step| *step <= most)
+        .unwrap_or(decade)
+}
+
+/// A round number without the digits that rounding leaves behind it.
+fn rounded(value: f64) -> String {
+    format!("{value:.4}").trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
 pub(super) fn diffuse() -> Result<Figure, Box<dyn Error>> {
     let mut panels = Vec::new();
     for light in [30.0, 70.0] {
-        let mut models: Vec<Lit> =
-            vec![("Lambert".into(), Box::new(Lambert::new(1.0)?), light, PENS[0])];
-        for (sigma, pen) in [0.1, 0.3, 0.6].into_iter().zip(&PENS[1..]) {
+        let mut models: Vec<Lit> = Vec::new();
+        for (sigma, pen) in [0.1, 0.3, 0.6].into_iter().zip(&PENS) {
             let model = Box::new(OrenNayar::new(1.0, sigma)?);
             models.push((format!("Oren–Nayar, σ = {sigma}"), model, light, *pen));
         }
+        // On top of the others, and broken, so that they show where they coincide.
+        models.push(("Lambert".into(), Box::new(Lambert::new(1.0)?), light, ON_TOP));
         panels.push(panel(&format!("light at {light}°"), &models, Radius::Common));
     }
     Ok(Figure {
@@ -185,7 +206,8 @@ pub(super) fn off_specular() -> Result<Figure, Box<dyn Error>> {
     let mut models: Vec<Lit> = Vec::new();
     let mut peaks = Vec::new();
     for (light, pen) in [10.0, 30.0, 45.0, 60.0].into_iter().zip(PENS) {
-        let model: Model = Box::new(CookTorrance::new(Beckmann::new(0.4)?, Constant::new(1.0)?));
+        let rough = CookTorrance::new(Beckmann::new(0.4)?, Constant::new(1.0)?);
+        let model: Model = Box::new(rough.with_shadowing(VCavity));
         let (peak, _) = Curve::new("", pen, (-89.99, 89.99), values(&model, light)).highest();
         peaks.push(format!("{light}° → {peak:.0}°"));
         models.push((format!("light at {light}°"), model, light, pen));
@@ -195,7 +217,7 @@ pub(super) fn off_specular() -> Result<Figure, Box<dyn Error>> {
         section: SECTION,
         title: "Off-specular peaks of a rough surface".into(),
         caption: format!(
-            "Cook–Torrance, Beckmann α = 0.4, F = 1; each lobe over its largest value. The peak lies \
+            "Cook–Torrance, Beckmann α = 0.4, F = 1, V-cavities; each lobe over its largest value. The peak lies \
              beyond the mirror direction, as Torrance and Sparrow explained: {}.",
             peaks.join(", ")
         ),

@@ -81,6 +81,9 @@ pub(super) fn anchored(
     style.pos(Pos::new(horizontal, vertical))
 }
 
+/// For a line that others would hide: drawn last, it lets them show.
+pub(super) const ON_TOP: Pen = Pen { color: INK, dash: SHORT };
+
 /// Draws a line through points of the canvas.
 pub(super) fn draw_line<DB: DrawingBackend>(
     area: &DrawingArea<DB, plotters::coord::Shift>,

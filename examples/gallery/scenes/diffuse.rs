@@ -16,11 +16,11 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
     let light = Light::Around(square);
     let clay = Vec3::new(0.72, 0.42, 0.30);
     let gray = Vec3::splat(0.8);
-    // The sun behind the viewer, of such strength that white paper facing it has radiance 2.
-    let moon = Light::Distant { towards: Vec3::Z, irradiance: 2.0 * PI };
+    // The sun behind the viewer, of such strength that white paper facing it has radiance 0.9.
+    let moon = Light::Distant { towards: Vec3::Z, irradiance: 0.9 * PI };
     let compared = || -> Result<Vec<(String, Material)>, Box<dyn Error>> {
         let mut spheres = vec![("Lambert".into(), material(Lambert::new(gray)?))];
-        for sigma in [0.0, 0.1, 0.3] {
+        for sigma in [0.1, 0.3] {
             let model = material(OrenNayar::new(gray, sigma)?);
             spheres.push((format!("Oren–Nayar, σ = {sigma}"), model));
         }
@@ -31,7 +31,7 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
             SECTION,
             "lambert",
             ["Lambert", "Equal radiance in all directions; albedo 0.72, 0.42, 0.30."],
-            material(Lambert::new(clay)?),
+            ("Lambert", material(Lambert::new(clay)?)),
             light,
         ),
         single(
@@ -41,7 +41,7 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
                 "Oren–Nayar, σ = 0.3",
                 "The same albedo on rough ground: flatter than Lambert, brighter at the edge.",
             ],
-            material(OrenNayar::new(clay, 0.3)?),
+            ("Oren–Nayar, σ = 0.3", material(OrenNayar::new(clay, 0.3)?)),
             light,
         ),
         row(
@@ -54,20 +54,24 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
             ],
             compared()?,
             moon,
-        ),
+        )
+        .with_difference(1, 0, 4.0)
+        .with_difference(2, 0, 4.0),
         row(
             SECTION,
             "oren-nayar-square",
-            ["The same in the studio", "Light from the sides hides most of the difference."],
+            ["The same in the square", "Light from the sides hides most of the difference."],
             compared()?,
             light,
-        ),
+        )
+        .with_difference(1, 0, 4.0)
+        .with_difference(2, 0, 4.0),
         series(
             SECTION,
             "oren-nayar-series",
             [
                 "Oren–Nayar from smooth to very rough",
-                "Under head-on light; the centre darkens by A, the edge gains by B.",
+                "The centre darkens by A, the edge gains by B.",
             ],
             ("σ", [0.0, 0.1, 0.2, 0.4, 0.8]),
             |sigma| Ok(material(OrenNayar::new(gray, sigma)?)),
@@ -78,13 +82,14 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
             "oren-nayar-interreflection",
             [
                 "Oren–Nayar with and without interreflection",
-                "Head-on light, σ = 0.5: the constant 0.57 in place of 0.33 brightens the surface.",
+                "σ = 0.5: the constant 0.57 in place of 0.33 brightens the surface.",
             ],
             vec![
-                ("0.33".into(), material(OrenNayar::new(gray, 0.5)?)),
-                ("0.57".into(), material(OrenNayar::with_interreflection(gray, 0.5)?)),
+                ("without, 0.33".into(), material(OrenNayar::new(gray, 0.5)?)),
+                ("with, 0.57".into(), material(OrenNayar::with_interreflection(gray, 0.5)?)),
             ],
             moon,
-        ),
+        )
+        .with_difference(1, 0, 16.0),
     ])
 }

@@ -6,7 +6,7 @@ use std::f32::consts::PI;
 use brdf::{BlinnPhong, ClassicPhong, Lambert, Phong, SchlickPower, WeightedSum};
 use glam::Vec3;
 
-use super::{Scene, material, row, series, single};
+use super::{Scene, material, row, series};
 use crate::environment::Environment;
 use crate::sphere::{Light, Material};
 
@@ -31,7 +31,7 @@ pub(super) fn scenes(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Err
 
 type Constructor = fn(f32) -> Result<Material, Box<dyn Error>>;
 
-/// Each model with one exponent and as a series.
+/// Each model with several exponents.
 fn models(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     let light = Light::Around(square);
     let models: [(&str, &str, &str, Constructor); 4] = [
@@ -61,13 +61,8 @@ fn models(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     ];
     let mut scenes = Vec::new();
     for (name, title, caption, model) in models {
-        let heading = format!("{title}, n = 100");
-        scenes.push(single(SECTION, name, [&heading, caption], model(100.0)?, light));
-    }
-    for (name, title, _, model) in models {
-        let (file, heading) = (format!("{name}-series"), format!("{title}: exponents"));
-        let caption = "From broad to narrow.";
-        scenes.push(series(SECTION, &file, [&heading, caption], EXPONENTS, model, light)?);
+        let file = format!("{name}-series");
+        scenes.push(series(SECTION, &file, [title, caption], EXPONENTS, model, light)?);
     }
     Ok(scenes)
 }
@@ -92,25 +87,27 @@ fn comparisons(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
             SECTION,
             "phong-blinn-square",
             [
-                "Phong against Blinn–Phong in the studio",
+                "Phong against Blinn–Phong in the square",
                 "Exponents n and 4n: alike where the light is near the viewer. 0.85 Lambert + 0.15 \
                  lobe.",
             ],
             pair()?,
             Light::Around(square),
-        ),
+        )
+        .with_difference(1, 0, 4.0),
         row(
             SECTION,
             "phong-blinn-front",
-            ["One lamp 40° beside the viewer", "The two highlights are nearly the same."],
+            ["Phong against Blinn–Phong, one lamp", "The two highlights are nearly the same."],
             pair()?,
             lamp(40.0),
-        ),
+        )
+        .with_difference(1, 0, 4.0),
         row(
             SECTION,
             "phong-blinn-grazing",
             [
-                "Grazing light: the lamp 115° from the viewer",
+                "Phong against Blinn–Phong, grazing light",
                 "Phong's highlight spreads along the edge; Blinn's stays narrow across the plane \
                  of incidence, as reflections on water do.",
             ],
@@ -122,13 +119,14 @@ fn comparisons(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
             "schlick-phong",
             [
                 "Schlick's power against Phong",
-                "One lamp 40° beside the viewer, n = 30: more light in the tail, less in the centre.",
+                "n = 30: more light in the tail, less in the centre.",
             ],
             vec![
                 ("Phong".into(), on_ground(material(Phong::new(SPECULAR, 30.0)?))?),
                 ("Schlick".into(), schlick(30.0)?),
             ],
             lamp(40.0),
-        ),
+        )
+        .with_difference(1, 0, 4.0),
     ])
 }

@@ -13,15 +13,15 @@ use glam::Vec3;
 
 use crate::environment::Environment;
 use crate::picture::Picture;
-use crate::sphere::{Light, Material};
+use crate::sphere::{Light, Material, Tile};
 
 /// A picture to be made: a row of spheres under one light.
 pub struct Scene<'a> {
     /// What to say about it.
     pub picture: Picture,
-    /// From left to right.
-    pub spheres: Vec<Material>,
-    /// The light on each.
+    /// From left to right, each with the label under it.
+    pub tiles: Vec<(String, Tile)>,
+    /// The light on each sphere.
     pub light: Light<'a>,
 }
 
@@ -29,17 +29,13 @@ pub struct Scene<'a> {
 type Made<'a> = Result<Scene<'a>, Box<dyn Error>>;
 
 /// All scenes, in the order of the page.
-/// `furnace` is light of the same radiance from everywhere.
-pub fn all<'a>(
-    square: &'a Environment,
-    furnace: &'a Environment,
-) -> Result<Vec<Scene<'a>>, Box<dyn Error>> {
+pub fn all(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     let mut scenes = Vec::new();
     scenes.extend(showpiece::scenes(square)?);
     scenes.extend(diffuse::scenes(square)?);
     scenes.extend(lobes::scenes(square)?);
-    scenes.extend(microfacet::scenes(square, furnace)?);
-    scenes.extend(fresnel::scenes(square, furnace)?);
+    scenes.extend(microfacet::scenes(square)?);
+    scenes.extend(fresnel::scenes(square)?);
     Ok(scenes)
 }
 
@@ -47,24 +43,18 @@ fn material(model: impl Brdf<Color = Vec3> + 'static) -> Material {
     Box::new(model)
 }
 
-/// One sphere.
+/// One sphere with its label.
 fn single<'a>(
     section: &'static str,
     name: &str,
-    [title, caption]: [&str; 2],
-    sphere: Material,
+    words: [&str; 2],
+    (label, sphere): (&str, Material),
     light: Light<'a>,
 ) -> Scene<'a> {
-    let picture = Picture {
-        file: format!("{name}.png"),
-        title: title.into(),
-        caption: caption.into(),
-        section,
-    };
-    Scene { picture, spheres: vec![sphere], light }
+    row(section, name, words, vec![(label.into(), sphere)], light)
 }
 
-/// Several spheres with a label each, which the caption lists.
+/// Several spheres with a label each.
 fn row<'a>(
     section: &'static str,
     name: &str,
@@ -72,10 +62,22 @@ fn row<'a>(
     spheres: Vec<(String, Material)>,
     light: Light<'a>,
 ) -> Scene<'a> {
-    let (labels, spheres): (Vec<_>, Vec<_>) = spheres.into_iter().unzip();
-    let caption = format!("{caption} Left to right: {}.", labels.join(" | "));
+    let caption = format!("{caption} {}", light.words());
     let picture = Picture { file: format!("{name}.png"), title: title.into(), caption, section };
-    Scene { picture, spheres, light }
+    let tiles = spheres.into_iter().map(|(label, sphere)| (label, Tile::Sphere(sphere))).collect();
+    Scene { picture, tiles, light }
+}
+
+impl Scene<'_> {
+    /// Adds a square with the difference of two, given by their places, so many times.
+    fn with_difference(mut self, of: usize, minus: usize, times: f32) -> Self {
+        let label = {
+            let name = |place: usize| self.tiles.get(place).map_or("", |(label, _)| label.as_str());
+            format!("{} − {},\n× {times}", name(of), name(minus))
+        };
+        self.tiles.push((label, Tile::Difference { of, minus, times }));
+        self
+    }
 }
 
 /// The same model with one number that grows from left to right.
