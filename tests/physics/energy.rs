@@ -48,7 +48,10 @@ fn albedo_is_the_integral() {
                 format!("{} {:8.4}° {error:.1e}: {integral:?}", entry.name, theta.to_degrees());
             println!("{context}");
             assert!(integral.error <= 1e-5, "{context}");
-            assert!(error <= promised + integral.error, "{context}");
+            // What the cubature says of its error is an estimate, too small where a kink of V-cavities
+            // falls into a cell: at roughness 1 and 0° the albedo is 0.45344683, it finds 0.45343056 and
+            // says 2·10⁻⁶. `albedo` compares with a reference that is cut at the kinks.
+            assert!(error <= promised + 3e-5, "{context}");
         }
     }
 }

@@ -102,7 +102,7 @@ pub(super) static MUTANTS: [Mutant; 39] = [
         "    pair.cos_d.▸min(T::one())", Min,
         |left, _, _| (2.0 * left * left - 1.0).abs()),
     Mutant::new("Cook–Torrance", "π for the 4 by which the print of 1982 is too bright", HISTORICAL,
-        "Self::of(CookTorrance::new(distribution, fresnel), ▸T::lit(4.0))", Literal, |_, _, _| PI),
+        "Self::of(CookTorrance::from_parts(distribution, fresnel, VCavity), ▸T::lit(4.0))", Literal, |_, _, _| PI),
     Mutant::new("Cook–Torrance", "degrees taken for radians in the Gaussian of 1967", HISTORICAL,
         "Gaussian::new(▸T::lit(PI / 180.0) / c)", Literal, ONE),
 ];
