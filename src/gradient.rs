@@ -69,13 +69,13 @@ pub struct Gradient<V, const N: usize> {
 /// ([reparametrisation](Dual#samples)).
 ///
 /// ```
-/// use brdf::{Beckmann, Brdf, Constant, CookTorrance, Dual, ParameterError, gradient};
+/// use brdf::{Beckmann, Brdf, Constant, CookTorrance, Dual, ParameterError, VCavity, gradient};
 /// use glam::DVec3;
 ///
 /// let wo = Dual::vector(DVec3::new(0.6, 0.0, 0.8));
 /// let drawn = gradient([0.3_f64], |[roughness]| {
 ///     let mirrors = Constant::new(Dual::constant(1.0))?;
-///     let grooves = CookTorrance::new(Beckmann::new(roughness)?, mirrors);
+///     let grooves = CookTorrance::from_parts(Beckmann::new(roughness)?, mirrors, VCavity);
 ///     Ok::<_, ParameterError>(grooves.sample(wo, [0.3, 0.7].map(Dual::constant)))
 /// })?;
 /// // It stays on the sphere.

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! The same measurements as in the tests, on the same list of models, at full size. Fails, and
-//! writes nothing, if samples do not do what models say.
+//! writes nothing, if samples do not do what models say, or derivatives are not those of the answers.
 
 mod cost;
 mod page;
@@ -42,7 +42,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     if !faults.is_empty() {
         bar.finish_and_clear();
         eprintln!("{}", faults.join("\n"));
-        return Err(format!("samples of {} models are not what they say", faults.len()).into());
+        return Err(format!("{} models are not what they say", faults.len()).into());
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/certificate.md");
     if check {

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-use crate::row::{ANGLES, PAIRS, Row, SIZE};
+use crate::row::{ANGLES, DERIVATIVES, PAIRS, Row, SIZE};
 use brdf_checks::measure::sampling::WEIGHT_ULPS;
 use brdf_checks::measure::sampling::chi_squared::least_of;
 use brdf_checks::mutation::mutant::Outcome;
@@ -55,6 +55,7 @@ pub(crate) fn least(rows: &[Row]) -> f64 {
 fn legend(rows: &[Row]) -> String {
     let directions = rows.first().map_or(0, |row| row.sampling.len());
     let (draws, tests, least) = (SIZE.draws, tests(rows), least(rows));
+    let (pairs, _) = DERIVATIVES;
     format!(
         "- **Largest albedo.** ∫ f cosθ dω by adaptive cubature of `eval` in `f64` at {ANGLES} angles of
   the viewer from 0° to 89.99°, along both axes where the model is anisotropic; brightest channel.
@@ -65,6 +66,11 @@ fn legend(rows: &[Row]) -> String {
 - **`f32` error.** The relative difference of `eval` in `f32` from `f64` at the same pairs: median,
   largest, and the largest part of what mixed forward and backward stability allows: 2·10⁻⁶ and
   what a rounding of the directions themselves does.
+- **Derivatives.** How many were compared: of `eval`, `pdf`, `sample` and, where it is a formula,
+  `albedo`, over duals of `f64`, by every number of the model and by the azimuth and tilt of both
+  directions, at {pairs} pairs, at pairs that are equally steep and at the normal. The largest relative
+  difference from Richardson's extrapolation of differences, derivatives below 10⁻³ of the value over the number
+  counting as that; and how many such differences cannot tell to a quarter of 10⁻⁶.
 - **∫ pdf − 1.** The largest |∫ pdf dω + P(no direction) − 1| over {directions} directions of the viewer,
   from the normal to a cosine of 0.001: one integral by cubature of `pdf`, the other over the uniform
   numbers for which `sample` fails.
@@ -88,8 +94,8 @@ pub(crate) fn certificate(rows: &[Row], bugs: &[Outcome]) -> String {
 
 {}
 
-| model | largest albedo | at | reciprocal | `f32` error, median | largest | of its bound | ∫ pdf − 1 | smallest p | weight | bugs found |
-|---|---|---|---|---|---|---|---|---|---|---|
+| model | largest albedo | at | reciprocal | `f32` error, median | largest | of its bound | derivatives | largest error | undecided | ∫ pdf − 1 | smallest p | weight | bugs found |
+|---|---|---|---|---|---|---|---|---|---|---|---|---|---|
 ",
         summary(rows),
         legend(rows)
@@ -116,7 +122,7 @@ pub(crate) fn certificate(rows: &[Row], bugs: &[Outcome]) -> String {
 /// The line of a model without the bugs.
 pub(crate) fn measured(row: &Row) -> String {
     format!(
-        "| {} | {:.5} | {:.2}° | {} | {:.1e} | {:.1e} | {:.2} | {:.0e} | {:.4} | {:.0} ulp |",
+        "| {} | {:.5} | {:.2}° | {} | {:.1e} | {:.1e} | {:.2} | {} | {:.0e} | {} | {:.0e} | {:.4} | {:.0} ulp |",
         row.name,
         row.energy.maximum,
         row.energy.degrees,
@@ -124,6 +130,9 @@ pub(crate) fn measured(row: &Row) -> String {
         row.precision.median,
         row.precision.maximum,
         row.precision.ratio,
+        row.derivatives.compared,
+        row.derivatives.largest,
+        row.derivatives.undecided,
         row.mass_error(),
         row.p_value(),
         row.weight_ulps(),

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use crate::cost::{Cost, costs};
 use brdf_checks::directions::pairs_to_grazing;
+use brdf_checks::measure::derivatives::{Derivatives, LARGEST, derivatives, questions};
 use brdf_checks::measure::energy::{Energy, energy};
 use brdf_checks::measure::precision::{Precision, Quantity, precision};
 use brdf_checks::measure::reciprocity::{Reciprocity, reciprocity};
@@ -17,6 +18,9 @@ use brdf_checks::models::{self, Entry};
 pub(crate) const ANGLES: u32 = 48;
 /// Pairs of directions for reciprocity and precision.
 pub(crate) const PAIRS: usize = 100_000;
+
+/// Pairs of directions for derivatives, and how many of their viewers the albedo is asked for.
+pub(crate) const DERIVATIVES: (usize, usize) = (1000, 8);
 
 /// Draws from each of some directions, in each precision, and the integrals that they are held
 /// against.
@@ -44,6 +48,7 @@ pub(crate) struct Row {
     pub(crate) reciprocity_f32: Reciprocity,
     pub(crate) reciprocity_f64: Reciprocity,
     pub(crate) precision: Precision,
+    pub(crate) derivatives: Derivatives,
     /// From each direction of the viewer.
     pub(crate) sampling: Vec<Sampling>,
     /// What one call of `eval`, `pdf` and `sample` costs.
@@ -61,13 +66,17 @@ impl Row {
         double: &Entry<f64>,
         pairs: &Pairs,
     ) -> Self {
+        let row = &models::rows()[index];
+        let (pairs_of_directions, albedos) = DERIVATIVES;
+        let albedos = if row.has_exact_albedo() { albedos } else { 0 };
         Self {
             name: double.name,
-            kind: models::rows()[index].type_name(),
+            kind: row.type_name(),
             energy: energy(&*double.model, ANGLES, 1e-6),
             reciprocity_f32: reciprocity(&*single.model, &pairs.single, f64::from(f32::EPSILON)),
             reciprocity_f64: reciprocity(&*double.model, &pairs.double, f64::EPSILON),
             precision: precision(Quantity::Eval, &*single.model, &*double.model, &pairs.single),
+            derivatives: derivatives(&row.brdf, &questions(pairs_of_directions, albedos)),
             sampling: sampling(index, single, double),
             costs: costs(index),
             bugs: 0,
@@ -112,8 +121,19 @@ impl Row {
         self.sampling.iter().map(both).fold(0.0, f64::max)
     }
 
-    /// What the samples do that they must not, if no right sampler has a p below `least`.
+    /// What is wrong with the derivatives.
+    fn wrong_derivatives(&self) -> Option<String> {
+        let Derivatives { largest, place, faults, .. } = &self.derivatives;
+        let wrong = (*largest > LARGEST).then(|| format!("{largest:.1e}: {place}"));
+        wrong.or_else(|| faults.first().cloned()).map(|wrong| format!("{}: {wrong}", self.name))
+    }
+
+    /// What the model does that it must not, if no right sampler has a p below `least`.
     pub(crate) fn fault(&self, least: f64) -> Option<String> {
+        self.wrong_derivatives().or_else(|| self.wrong_samples(least))
+    }
+
+    fn wrong_samples(&self, least: f64) -> Option<String> {
         let (p, excess) = (self.p_value(), self.mass_error());
         let (ulps, z) = (self.weight_ulps(), self.albedo_z());
         let right = p > least && excess <= EXCESS && ulps <= WEIGHT_ULPS && z <= ALBEDO_Z;

@@ -67,10 +67,11 @@ impl<D: Fittable> Fitted<D> {
     pub(super) fn of(problem: &Problem<'_, D>, sum: f64, count: usize) -> Result<Self, FitError> {
         let (mut values, _) = problem.values_and_slopes();
         let derivatives = problem.derivatives(&values)?;
-        // A number without influence stays what it was: a start at a bound had moved inside.
-        let columns = derivatives.column_iter().zip(problem.free);
-        for (value, (column, free)) in values.iter_mut().zip(columns) {
-            if column.norm() == 0.0 {
+        // A number that has no influence did not move from where the fit began, which is inside if the
+        // start is at a bound: it stays what it was. One that moved may have lost its influence.
+        let ends = problem.unbounded.iter().zip(problem.free);
+        for (value, (end, free)) in values.iter_mut().zip(ends) {
+            if *end == free.unbounded_start() {
                 *value = free.start;
             }
         }

@@ -42,7 +42,7 @@ pub const MAX_PLATES: u32 = 1 << 20;
 ///
 /// // Eight panes at Brewster's angle.
 /// let pile = Plates::new(1.5_f64, 8, 0.0)?;
-/// let passed = pile.at(brdf::brewster_angle(1.0, 1.5).cos()).transmittance;
+/// let passed = pile.at(brdf::brewster_angle(1.0_f64, 1.5).cos()).transmittance;
 /// let polarization = (passed.p - passed.s) / (passed.p + passed.s);
 /// assert!((polarization - 0.58139535).abs() < 1e-8);
 /// # Ok::<(), brdf::ParameterError>(())

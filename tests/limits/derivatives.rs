@@ -6,8 +6,8 @@ use std::f64::consts::TAU;
 use brdf::{
     AnyMixture, Beckmann, BlinnPhong, Brdf, ClassicPhong, Conductor, Constant, CookTorrance,
     Dielectric, Distribution, Dual, Fresnel, Gaussian, Gradient, LommelSeeliger, Minnaert,
-    OrenNayar, ParameterError, Phong, Real, Sample, SchlickPower, SmithCorrelated, Vector3,
-    gradient,
+    OrenNayar, ParameterError, Phong, Real, Sample, SchlickPower, SmithCorrelated, VCavity,
+    Vector3, gradient,
 };
 use glam::{DVec3, Vec3};
 
@@ -66,12 +66,12 @@ where
 
 #[test]
 fn samples_of_v_cavities_move_with_the_roughness() {
-    let sample =
-        gradient([0.3], |[roughness]| {
-            drawn(Beckmann::new(roughness).and_then(|facets| {
-                Ok(CookTorrance::new(facets, Constant::new(Dual::constant(1.0))?))
-            }))
-        });
+    let sample = gradient([0.3], |[roughness]| {
+        drawn(Beckmann::new(roughness).and_then(|facets| {
+            let mirrors = Constant::new(Dual::constant(1.0))?;
+            Ok(CookTorrance::from_parts(facets, mirrors, VCavity))
+        }))
+    });
     let want = DVec3::new(0.517351158, 0.843474506, 0.026096838);
     assert!((sample.unwrap().derivatives[0].wi - want).length() < 1e-9);
 }

@@ -259,8 +259,7 @@ impl Recorder {
         let number = key(line, column) * 64 + operation as u64;
         let id = number.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ file.len() as u64;
         let slot = &mut self.last[(id.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 50) as usize];
-        let fresh =
-            Last { place: (spot, operation), result: 0, link: LAST_LINK, done: [0; LINKS] };
+        let fresh = Last { place: (spot, operation), result: 0, link: LAST_LINK, done: [0; LINKS] };
         if let Some(other) = slot.take_if(|last| last.place != fresh.place) {
             add(&mut self.before, &other);
         }
