@@ -138,15 +138,21 @@ fn call<M: Brdf<Color = Vec3>>(model: &M, wi: Vec3, wo: Vec3) -> Vec3 {
     model.eval(wi, wo)
 }
 
-/// A model for each element, made in the loop of calls and by [`eval_each`].
+/// A model for each element from textures of roughness and color, made in the loop of calls and by
+/// [`eval_each`].
 fn each<M: Brdf<Color = Vec3> + Copy>(
     criterion: &mut Criterion,
     name: &str,
-    model: impl Fn(f32) -> Result<M, ParameterError>,
+    model: impl Fn(f32, Vec3) -> Result<M, ParameterError>,
 ) {
     let mut planes = Planes::new(&pairs(), &uniforms());
-    let roughness: Vec<f32> = uniforms().iter().map(|u| 0.1 + 0.9 * u[0] as f32).collect();
-    let model = |index: usize| model(roughness[index % roughness.len()]);
+    let uniforms = uniforms();
+    let texels: Vec<(f32, Vec3)> =
+        uniforms.iter().map(|u| (0.1 + 0.9 * u[0] as f32, F0 * u[1] as f32)).collect();
+    let model = |index: usize| {
+        let (roughness, color) = texels[index];
+        model(roughness, color)
+    };
     let mut group = criterion.benchmark_group(format!("a model for each element, {name}"));
     group.throughput(Throughput::Elements(COUNT as u64));
     group.bench_function("loop of calls", |bencher| {
@@ -168,16 +174,14 @@ fn each<M: Brdf<Color = Vec3> + Copy>(
 }
 
 fn each_model(criterion: &mut Criterion) {
-    let schlick = || Schlick::new(black_box(F0));
-    each(criterion, "GGX Smith Schlick", |alpha| {
-        Ok(CookTorrance::new(Ggx::new(alpha)?, schlick()?))
+    each(criterion, "GGX Smith Schlick", |alpha, f0| {
+        Ok(CookTorrance::new(Ggx::new(alpha)?, Schlick::new(f0)?))
     });
-    each(criterion, "Beckmann V-cavity Schlick", |alpha| {
-        Ok(CookTorrance::from_parts(Beckmann::new(alpha)?, schlick()?, VCavity))
+    each(criterion, "Beckmann V-cavity Schlick", |alpha, f0| {
+        Ok(CookTorrance::from_parts(Beckmann::new(alpha)?, Schlick::new(f0)?, VCavity))
     });
-    each(criterion, "GGX Smith dielectric", |alpha| {
-        let glass = Dielectric::new(Vec3::splat(black_box(1.5)))?;
-        Ok(CookTorrance::new(Ggx::new(alpha)?, glass))
+    each(criterion, "GGX Smith dielectric", |alpha, f0| {
+        Ok(CookTorrance::new(Ggx::new(alpha)?, Dielectric::new(f0 + Vec3::ONE)?))
     });
 }
 

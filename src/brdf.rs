@@ -28,6 +28,19 @@ use crate::real::{Color, Real, Vector};
 /// assert!((scene[0].eval(Vec3::Z, Vec3::Z).x - 0.5 / std::f32::consts::PI).abs() < 1e-7);
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
+///
+/// A model that a directly following cast makes an object does not learn from it that a literal is an
+/// `f32`; the literal, or a call before the cast, has to say it:
+///
+/// ```
+/// use brdf::{Brdf, CookTorrance, Ggx, Schlick};
+/// use glam::Vec3;
+///
+/// let gloss = CookTorrance::new(Ggx::new(0.1_f32)?, Schlick::new(Vec3::splat(0.04))?);
+/// let gloss = Box::new(gloss) as Box<dyn Brdf<Color = Vec3>>;
+/// # let _ = gloss.eval(Vec3::Z, Vec3::Z);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
 #[doc(alias("BSDF", "BxDF", "reflectance", "scattering"))]
 pub trait Brdf<T: Real = f32>: Send + Sync {
     /// What a value has channels for: one wavelength, or red, green and blue.

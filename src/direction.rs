@@ -139,13 +139,12 @@ pub fn above_surface<T: Real, V: Vector<T>>(w: V) -> T::Mask {
 /// # Errors
 /// If it is not, with the squared length.
 pub fn check_direction<T: Real, V: Vector<T>>(w: V) -> Result<(), ParameterError> {
-    let length_squared = Vector::length_squared(w);
-    Range::new(-LENGTH_TOLERANCE, LENGTH_TOLERANCE)
-        .check("squared length", length_squared - T::one())
-        .or_else(|_| {
-            Range::new(1.0 - LENGTH_TOLERANCE, 1.0 + LENGTH_TOLERANCE)
-                .check("squared length", length_squared)
-        })
+    let off = Vector::length_squared(w) - T::one();
+    match off.outside(-LENGTH_TOLERANCE, LENGTH_TOLERANCE) {
+        None => Ok(()),
+        Some(off) => Err(Range::new(1.0 - LENGTH_TOLERANCE, 1.0 + LENGTH_TOLERANCE)
+            .refusal("squared length", 1.0 + off)),
+    }
 }
 
 /// Where both are directions above the surface: elsewhere every answer of a model is zero.

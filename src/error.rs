@@ -139,6 +139,12 @@ impl Range {
         Self { lower, upper }
     }
 
+    /// What is said of a value that does not lie in the range.
+    pub(crate) const fn refusal(self, parameter: &'static str, value: f64) -> ParameterError {
+        let Self { lower, upper } = self;
+        ParameterError { parameter, value, lower, upper, position: None, previous: None }
+    }
+
     /// Checks a number, or every channel of a colour.
     #[inline]
     pub(crate) fn check<T: Real, C: Color<T>>(
@@ -146,17 +152,9 @@ impl Range {
         parameter: &'static str,
         value: C,
     ) -> Result<(), ParameterError> {
-        let Self { lower, upper } = self;
-        match value.outside(lower, upper) {
+        match value.outside(self.lower, self.upper) {
             None => Ok(()),
-            Some(value) => Err(ParameterError {
-                parameter,
-                value,
-                lower,
-                upper,
-                position: None,
-                previous: None,
-            }),
+            Some(value) => Err(self.refusal(parameter, value)),
         }
     }
 }

@@ -29,7 +29,7 @@ pub struct Gradient<V, const N: usize> {
 /// let (wi, wo) = (DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.48, 0.36, 0.8));
 /// // Gold at one wavelength by its roughness and its complex index.
 /// let Gradient { value, derivatives: [by_roughness, by_eta, by_k] } =
-///     gradient([0.3, 0.143, 3.983], |[roughness, eta, k]| {
+///     gradient([0.3_f64, 0.143, 3.983], |[roughness, eta, k]| {
 ///         let gold = CookTorrance::new(Ggx::new(roughness)?, Conductor::new(eta, k)?);
 ///         Ok::<_, ParameterError>(gold.eval(Dual::vector(wi), Dual::vector(wo)))
 ///     })?;
@@ -53,7 +53,7 @@ pub struct Gradient<V, const N: usize> {
 /// use glam::DVec3;
 ///
 /// let wi = [DVec3::Z, DVec3::new(0.6, 0.0, 0.8), DVec3::new(0.8, 0.0, 0.6)];
-/// let moon = gradient([0.12, 0.5], |[albedo, k]| {
+/// let moon = gradient([0.12_f64, 0.5], |[albedo, k]| {
 ///     let moon = Minnaert::new(albedo, k)?;
 ///     let lit = |&wi| moon.eval(Dual::vector(wi), Dual::vector(DVec3::Z));
 ///     Ok::<_, ParameterError>(wi.iter().map(lit).collect::<Vec<_>>())
@@ -69,13 +69,13 @@ pub struct Gradient<V, const N: usize> {
 /// ([reparametrisation](Dual#samples)).
 ///
 /// ```
-/// use brdf::{Beckmann, Brdf, Constant, CookTorrance, Dual, ParameterError, gradient};
+/// use brdf::{Beckmann, Brdf, Constant, CookTorrance, Dual, ParameterError, VCavity, gradient};
 /// use glam::DVec3;
 ///
 /// let wo = Dual::vector(DVec3::new(0.6, 0.0, 0.8));
-/// let drawn = gradient([0.3], |[roughness]| {
+/// let drawn = gradient([0.3_f64], |[roughness]| {
 ///     let mirrors = Constant::new(Dual::constant(1.0))?;
-///     let grooves = CookTorrance::new(Beckmann::new(roughness)?, mirrors);
+///     let grooves = CookTorrance::from_parts(Beckmann::new(roughness)?, mirrors, VCavity);
 ///     Ok::<_, ParameterError>(grooves.sample(wo, [0.3, 0.7].map(Dual::constant)))
 /// })?;
 /// // It stays on the sphere.

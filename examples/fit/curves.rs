@@ -5,6 +5,7 @@ use plotters::style::RGBColor;
 
 use super::colors::{BLUE, GREEN, GREY, INK, ORANGE, RED};
 use super::figure::{Curve, Figure, Panel};
+use brdf::Brdf;
 use brdf_checks::fits::Row;
 use brdf_checks::fits::family::Family;
 use brdf_checks::fits::measured::direction;

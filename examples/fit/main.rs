@@ -18,6 +18,7 @@ mod figure;
 mod folder;
 #[path = "../gallery/index.rs"]
 mod index;
+mod metal;
 #[path = "../gallery/picture.rs"]
 mod picture;
 
@@ -43,6 +44,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rows = fits::all(|| bar.inc(1));
     bar.finish_and_clear();
 
+    println!("n and k at 550 nm from the reflectance every 5°, with a noise of 0.001:\n");
+    println!("{}", metal::table()?);
     let table = fits::table::text(&rows);
     print!("{table}");
     fs::write(folder.join("fits.md"), table)?;

@@ -17,7 +17,7 @@ pub const GREY: RGBColor = RGBColor(110, 110, 110);
 pub const GRID: RGBColor = RGBColor(221, 221, 221);
 
 /// Linear sRGB as a screen shows it; what it cannot show is clamped.
-fn encode(linear: DVec3) -> RGBColor {
+pub fn encode(linear: DVec3) -> RGBColor {
     let byte = |value: f64| {
         let encoded =
             if value <= 0.0031308 { 12.92 * value } else { 1.055 * value.powf(1.0 / 2.4) - 0.055 };

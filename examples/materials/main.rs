@@ -1,4 +1,4 @@
-//! Lists the measured materials and draws their curves.
+//! Lists the materials whose index was measured and draws their curves.
 //!
 //! ```sh
 //! cargo run --release --example materials -- --out materials
@@ -54,7 +54,7 @@ fn picture(figure: &Figure, section: &'static str) -> Picture {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let about = "Lists the measured materials and draws their curves.";
+    let about = "Lists the materials whose index was measured and draws their curves.";
     let Some(folder) = folder::folder(env::args().skip(1), about, "gallery/materials")? else {
         return Ok(());
     };

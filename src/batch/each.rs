@@ -43,7 +43,8 @@ pub fn eval_each<T: Real, M: Brdf<T> + Copy>(
     let pairs = Pairs { wi, wo };
     let length = check(&pairs, &values)?;
     run(pairs, values, &mut |pairs, start, values| {
-        let models = models(&model, start, length)?;
+        let mut models = [model_at(&model, start)?; BLOCK];
+        fill(&mut models, &model, start, length)?;
         pairs.colors(
             values,
             #[inline(always)]
@@ -66,7 +67,8 @@ pub fn pdf_each<T: Real, M: Brdf<T> + Copy>(
     let (pairs, pdf) = (Pairs { wi, wo }, Numbers(pdf, "pdf"));
     let length = check(&pairs, &pdf)?;
     run(pairs, pdf, &mut |pairs, start, pdf| {
-        let models = models(&model, start, length)?;
+        let mut models = [model_at(&model, start)?; BLOCK];
+        fill(&mut models, &model, start, length)?;
         pairs.numbers(
             array::from_mut(pdf),
             #[inline(always)]
@@ -90,7 +92,8 @@ pub fn eval_pdf_each<T: Real, M: Brdf<T> + Copy>(
     let (pairs, answers) = (Pairs { wi, wo }, (values, Numbers(pdf, "pdf")));
     let length = check(&pairs, &answers)?;
     run(pairs, answers, &mut |pairs, start, (values, pdf)| {
-        let models = models(&model, start, length)?;
+        let mut models = [model_at(&model, start)?; BLOCK];
+        fill(&mut models, &model, start, length)?;
         pairs.colors_and_numbers(
             values,
             array::from_mut(pdf),
@@ -117,7 +120,8 @@ pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
     let draws = Draws { wo, u };
     let length = check(&draws, &samples)?;
     run(draws, samples, &mut |draws, start, samples| {
-        let models = models(&model, start, length)?;
+        let mut models = [model_at(&model, start)?; BLOCK];
+        fill(&mut models, &model, start, length)?;
         draws.samples(
             samples,
             #[inline(always)]
@@ -127,17 +131,25 @@ pub fn sample_each<T: Real, M: Brdf<T> + Copy>(
     })
 }
 
-/// The models of a block that begins at `start`, with the first one behind the end.
+/// The model of one element.
 #[inline(always)]
-fn models<M: Copy>(
+fn model_at<M>(
+    model: &impl Fn(usize) -> Result<M, ParameterError>,
+    index: usize,
+) -> Result<M, BatchError> {
+    model(index).map_err(|error| BatchError::Parameter { index, error })
+}
+
+/// Makes the models of a block that begins at `start`, all but the first, up to the end.
+#[inline(always)]
+fn fill<M>(
+    models: &mut [M; BLOCK],
     model: &impl Fn(usize) -> Result<M, ParameterError>,
     start: usize,
     end: usize,
-) -> Result<[M; BLOCK], BatchError> {
-    let at = |index| model(index).map_err(|error| BatchError::Parameter { index, error });
-    let mut models = [at(start)?; BLOCK];
-    for (index, model) in (start..end).zip(&mut models).skip(1) {
-        *model = at(index)?;
+) -> Result<(), BatchError> {
+    for (index, place) in (start..end).zip(models).skip(1) {
+        *place = model_at(model, index)?;
     }
-    Ok(models)
+    Ok(())
 }

@@ -106,7 +106,6 @@ mod error;
 mod form;
 mod fresnel;
 mod leaf;
-mod medium;
 mod metal;
 mod numbers;
 mod path;

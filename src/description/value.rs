@@ -26,7 +26,7 @@ pub(super) enum Value {
     Form(Described),
     Term(Described),
     /// Terms of a key.
-    List(Vec<Value>),
+    List(Vec<Self>),
 }
 
 /// One number for all, or a number for each.

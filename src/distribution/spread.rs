@@ -45,10 +45,10 @@ pub(crate) struct Tilt<T> {
     pub(crate) density: T,
 }
 
-/// Beyond this q² the tail of a normal distribution is below 2·10⁻¹².
+/// Beyond this q the tail of a normal distribution is below 2·10⁻¹².
 const NORMAL_END: f64 = 5.2;
-/// The logarithm of the part of the facets, 10⁻¹², that is left out at the end of a tail.
-const LEFT_OUT: f64 = -27.631021115928547;
+/// −ln of the part of the facets, 10⁻¹², that is left out at the end of the other tails.
+const LEFT_OUT: f64 = 27.631021115928547;
 
 impl<T: Real> Spread<T> {
     pub(super) fn normal(along: [T; 2]) -> Self {
@@ -143,7 +143,7 @@ pub(super) fn mixed<T: Real>(
 
 /// The tangent beyond which (1 + tan²θ_h)^(−g) is next to nothing.
 fn last_tangent<T: Real>(g: T) -> T {
-    (T::lit(-LEFT_OUT) / g).exp_m1().sqrt()
+    (T::lit(LEFT_OUT) / g).exp_m1().sqrt()
 }
 
 /// The x ≥ 0 with sinh x = `sinh`, for 0 ≤ `sinh` ≤ 10⁹.

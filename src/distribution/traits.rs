@@ -13,7 +13,15 @@ use crate::real::{Real, Vector};
 /// A distribution of facet normals, D(h) in sr⁻¹, normalised to ∫ D(h) (N·h) dω_h = 1.
 ///
 /// D(h) is the same for `h` and its mirror image across the normal, (−h_x, −h_y, h_z). The trait is
-/// object safe.
+/// object safe. Where nothing but numbers is given, one of them says which kind it is:
+///
+/// ```
+/// use brdf::{Distribution, Ggx, from_spherical};
+///
+/// let facets: Vec<Box<dyn Distribution>> = vec![Box::new(Ggx::new(0.3_f32)?)];
+/// assert!(facets[0].density(from_spherical(0.3, 0.2)) > 0.0);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
 #[doc(alias("NDF", "normal distribution function", "microfacet distribution"))]
 pub trait Distribution<T: Real = f32>: Send + Sync {
     /// D(h) for a unit `h`; zero where `h` lies below the surface. Finite and never negative for

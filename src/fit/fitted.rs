@@ -65,7 +65,16 @@ impl<D> Fitted<D> {
 impl<D: Fittable> Fitted<D> {
     /// The end of a fit of `count` residuals.
     pub(super) fn of(problem: &Problem<'_, D>, sum: f64, count: usize) -> Result<Self, FitError> {
-        let (values, _) = problem.values_and_slopes();
+        let (mut values, _) = problem.values_and_slopes();
+        let derivatives = problem.derivatives(&values)?;
+        // A number that has no influence did not move from where the fit began, which is inside if the
+        // start is at a bound: it stays what it was. One that moved may have lost its influence.
+        let ends = problem.unbounded.iter().zip(problem.free);
+        for (value, (end, free)) in values.iter_mut().zip(ends) {
+            if *end == free.unbounded_start() {
+                *value = free.start;
+            }
+        }
         let description = problem.description.changed(&|path, value| {
             let path = path.to_string();
             let place = problem.free.iter().position(|free| free.path == path);
@@ -78,7 +87,7 @@ impl<D: Fittable> Fitted<D> {
             .map(|(free, value)| free.is_at_bound(*value))
             .collect();
         let spread = (sum / count.saturating_sub(values.len()).max(1) as f64).sqrt();
-        let (errors, correlation) = errors(problem.derivatives(&values)?, &at_bound);
+        let (errors, correlation) = errors(derivatives, &at_bound);
         let parameters = problem.free.iter().zip(values).zip(errors).zip(at_bound).map(
             |(((free, value), error), at_bound)| FittedParameter {
                 path: free.path.clone(),

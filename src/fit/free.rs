@@ -2,7 +2,7 @@
 
 use crate::error::Range;
 
-/// The ratio of the bounds beyond which equal steps are equal ratios.
+/// The ratio of the bounds, or their distance, beyond which equal steps are equal ratios.
 const WIDE: f64 = 100.0;
 
 /// How close to a bound, in parts of the way between both, a number counts as being there.
@@ -15,10 +15,25 @@ pub(super) struct Free {
     pub(super) start: f64,
 }
 
+/// On which scale equal steps are alike.
+enum Scale {
+    Even,
+    /// Equal ratios, of a number whose bounds are far apart.
+    Ratios,
+    /// Equal ratios of 1 plus the distance from the lower bound, which is 0 or below.
+    RatiosFromOne,
+}
+
 impl Free {
-    /// Whether equal steps are equal ratios.
-    fn has_ratios(&self) -> bool {
-        self.range.lower > 0.0 && self.range.upper / self.range.lower > WIDE
+    const fn scale(&self) -> Scale {
+        let Range { lower, upper } = self.range;
+        if lower > 0.0 && upper / lower > WIDE {
+            Scale::Ratios
+        } else if upper - lower > WIDE {
+            Scale::RatiosFromOne
+        } else {
+            Scale::Even
+        }
     }
 
     /// The number without bounds that stands for the start. At a bound it would be infinite: a start
@@ -31,10 +46,10 @@ impl Free {
     /// How far on the way from the lower to the upper bound a value lies.
     fn part(&self, value: f64) -> f64 {
         let Range { lower, upper } = self.range;
-        if self.has_ratios() {
-            (value / lower).ln() / (upper / lower).ln()
-        } else {
-            (value - lower) / (upper - lower)
+        match self.scale() {
+            Scale::Even => (value - lower) / (upper - lower),
+            Scale::Ratios => (value / lower).ln() / (upper / lower).ln(),
+            Scale::RatiosFromOne => (value - lower).ln_1p() / (upper - lower).ln_1p(),
         }
     }
 
@@ -43,19 +58,25 @@ impl Free {
         let Range { lower, upper } = self.range;
         let part = 1.0 / (1.0 + (-unbounded).exp());
         let slope = part * (1.0 - part);
-        let (value, slope) = if self.has_ratios() {
-            let ratio = upper / lower;
-            let value = lower * ratio.powf(part);
-            (value, value * ratio.ln() * slope)
-        } else {
-            (lower + (upper - lower) * part, (upper - lower) * slope)
+        let (value, slope) = match self.scale() {
+            Scale::Even => (lower + (upper - lower) * part, (upper - lower) * slope),
+            Scale::Ratios => {
+                let whole = (upper / lower).ln();
+                let value = lower * (whole * part).exp();
+                (value, value * whole * slope)
+            }
+            Scale::RatiosFromOne => {
+                let whole = (upper - lower).ln_1p();
+                let above = (whole * part).exp_m1();
+                (lower + above, (1.0 + above) * whole * slope)
+            }
         };
         (value.clamp(lower, upper), slope)
     }
 
     pub(super) fn is_at_bound(&self, value: f64) -> bool {
         let part = self.part(value);
-        part < END || part > 1.0 - END
+        !(END..=1.0 - END).contains(&part)
     }
 }
 
@@ -66,7 +87,9 @@ mod tests {
 
     #[test]
     fn values_stay_in_the_range_and_have_their_slopes() {
-        for (lower, upper, start) in [(0.0, 1.0, 0.3), (1e-8, 1e4, 0.3), (-2.0, 5.0, 0.0)] {
+        for (lower, upper, start) in
+            [(0.0, 1.0, 0.3), (1e-8, 1e4, 0.3), (-2.0, 5.0, 0.0), (0.0, 1e8, 30.0)]
+        {
             let free = Free { path: String::new(), range: Range { lower, upper }, start };
             let at = |x: f64| free.value_and_slope(x).0;
             assert!((at(free.unbounded_start()) - start).abs() < 1e-12 * (1.0 + start));

@@ -11,7 +11,7 @@
 //! use brdf::fit::{Fit, MeasuredReflectance};
 //!
 //! // Copper at 550 nm, rounded to three digits.
-//! let measured = [(0.0, 0.604), (30.0, 0.602), (50.0, 0.591), (60.0, 0.583), (70.0, 0.589), (80.0, 0.669)]
+//! let measured = [(0.0, 0.634), (30.0, 0.634), (50.0, 0.633), (60.0, 0.636), (70.0, 0.656), (80.0, 0.739)]
 //!     .map(|(angle, reflectance): (f64, f64)| {
 //!         MeasuredReflectance::new(angle.to_radians().cos(), reflectance)
 //!     });

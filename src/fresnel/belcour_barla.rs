@@ -37,9 +37,10 @@ use crate::real::{Color, Lift, Real, Vector, in_place};
 /// below 0 counts as 0. White of C₀ = 1 has XYZ of 1.0005, 1.0002, 1.0011.
 ///
 /// # Accuracy
-/// The indices do not depend on the wavelength. Against [`Layers`](crate::polarization::Layers) integrated
-/// over the spectrum the series leaves out m > 3, and the fits replace the colour matching functions:
-/// see the tests for the difference.
+/// The indices do not depend on the wavelength. The series leaves out m > 3, and the fits replace the colour
+/// matching functions: against [`Layers`](crate::polarization::Layers) integrated over the spectrum X, Y
+/// and Z are off by up to 0.023 for soap in air (0.002 in the mean), 0.028 for an oxide on titanium,
+/// 0.055 for a film on gold.
 ///
 /// # Sources
 /// L. Belcour, P. Barla, *A Practical Extension to Microfacet Theory for the Modeling of Varying
@@ -130,41 +131,49 @@ impl<T: Real, C: Color<T>> BelcourBarla<C, T> {
     #[inline(always)]
     #[must_use]
     pub fn xyz(&self, cos_theta: T) -> [T; 3] {
-        let (zero, one) = (T::zero(), T::one());
-        let [outside, film] = [self.outside, self.film].map(Complex::real);
+        let (outside, film) = (Complex::real(self.outside), Complex::real(self.film));
         let Bounces { normal, upper, entering, lower } =
             Bounces::new(outside, film, self.substrate, cos_theta);
         let path = normal.re * (self.thickness + self.thickness);
-        let polarized = |upper: Complex<T>, entering: T, lower: Complex<T>| {
-            let (r12, r23) = (upper.norm_squared(), lower.norm_squared());
-            let rest = one - r12 * r23;
-            let returns = rest.gt(zero);
-            let later =
-                (entering * entering * r23 / T::select(returns, rest, one)).only_where(returns);
-            // √(R₁₂R₂₃) e^(iφ), whose powers are what the series needs.
-            let turned = -(upper * lower);
-            (r12 + later, later - entering, [turned, turned * turned, turned * turned * turned])
-        };
-        let s = polarized(upper.s, entering.s, lower.s);
-        let p = polarized(upper.p, entering.p, lower.p);
-        let half = T::lit(0.5);
-        let first = (s.0 + p.0) * half;
-        let mut sum = [
-            first * (T::lit(X[0].scale) + T::lit(X[1].scale)),
-            first * T::lit(Y.scale),
-            first * T::lit(Z.scale),
+        let s = Orders::new(upper.s, entering.s, lower.s);
+        let p = Orders::new(upper.p, entering.p, lower.p);
+        let first = (s.first + p.first) * T::lit(0.5);
+        // Twice C_m, and half of each polarisation.
+        let second = [s.turned.squared(), p.turned.squared()];
+        let third = [second[0] * s.turned, second[1] * p.turned];
+        let waves = [
+            s.turned * s.later + p.turned * p.later,
+            second[0] * s.later + second[1] * p.later,
+            third[0] * s.later + third[1] * p.later,
         ];
-        for order in 0..3 {
-            // Twice C_m, and half of each polarisation.
-            let wave = s.2[order] * s.1 + p.2[order] * p.1;
-            let path = path * T::lit(order as f64 + 1.0);
-            let add = |to: &mut T, lobe: &Lobe| *to = *to + lobe.seen(path, wave);
-            add(&mut sum[0], &X[0]);
-            add(&mut sum[0], &X[1]);
-            add(&mut sum[1], &Y);
-            add(&mut sum[2], &Z);
-        }
-        sum
+        [
+            X[0].seen(first, path, waves) + X[1].seen(first, path, waves),
+            Y.seen(first, path, waves),
+            Z.seen(first, path, waves),
+        ]
+    }
+}
+
+/// What the reflections of one polarisation come to.
+struct Orders<T> {
+    /// C₀.
+    first: T,
+    /// R* − T.
+    later: T,
+    /// √(R₁₂R₂₃) e^(iφ), whose powers are what the series needs.
+    turned: Complex<T>,
+}
+
+impl<T: Real> Orders<T> {
+    #[inline(always)]
+    fn new(upper: Complex<T>, entering: T, lower: Complex<T>) -> Self {
+        let (r12, r23) = (upper.norm_squared(), lower.norm_squared());
+        let rest = T::one() - r12 * r23;
+        // Where nothing enters, nothing returns.
+        let returns = rest.gt(T::zero());
+        let rest = T::select(returns, rest, T::one());
+        let returned = (entering * entering * r23 / rest).only_where(returns);
+        Self { first: r12 + returned, later: returned - entering, turned: -(upper * lower) }
     }
 }
 
@@ -187,12 +196,22 @@ const Y: Lobe = Lobe { scale: 1.0002218935839293, turns: 1.7953e-3, decay: 3.673
 const Z: Lobe = Lobe { scale: 1.0011224857215686, turns: 2.2084e-3, decay: 2.6103524504177177e-7 };
 
 impl Lobe {
-    /// What is seen of a wave of the given amplitude and phase that is behind by a path.
+    /// What is seen of light without delay and of three waves that are behind by a path, by twice and
+    /// by three times that path.
     #[inline(always)]
-    fn seen<T: Real>(&self, path: T, wave: Complex<T>) -> T {
+    fn seen<T: Real>(&self, first: T, path: T, [one, two, three]: [Complex<T>; 3]) -> T {
+        // The factor of one path: of twice and three times the path it is to the powers 4 and 9.
+        let damped = (-(path * path * T::lit(self.decay))).exp();
         let (sin, cos) = (path * T::lit(self.turns)).sin_cos_turns();
-        let scale = (-(path * path * T::lit(self.decay))).exp() * T::lit(self.scale);
-        (wave.re * cos - wave.im * sin) * scale
+        let turn = Complex::new(cos, sin);
+        let turns = turn * turn;
+        let (squared, fourth) = (damped * damped, (damped * damped) * (damped * damped));
+        let ninth = fourth * squared * squared * damped;
+        let sum = first
+            + (one * turn).re * damped
+            + (two * turns).re * fourth
+            + (three * (turns * turn)).re * ninth;
+        sum * T::lit(self.scale)
     }
 }
 

@@ -42,8 +42,9 @@ use crate::real::{Color, Lift, Real};
 /// integral over the spectrum, approximated.
 ///
 /// # Accuracy
-/// The average is the default quadrature, which resolves films up to some wavelengths of thickness.
-/// For `f32` see [`Layers`].
+/// The average is the default quadrature: exact to rounding up to 600 nm of film (n = 1.33 in air, 2.4 on
+/// a metal), off by 10⁻¹⁰ at 1 µm, 10⁻⁶ at 2 µm, 10⁻³ at 5 µm and 10⁻² at 10 µm, where it cannot follow
+/// the fringes. For `f32` see [`Layers`].
 ///
 /// # Sources
 /// M. Born, E. Wolf, *Principles of Optics*, section 1.6.
@@ -132,8 +133,9 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Stack<C, T> {
 
     #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
-        let of = |place: usize| {
-            self.channels.get(place).map_or(T::zero(), |layers| layers.reflectance(cos_theta))
+        let of = |place: usize| match self.channels.get(place) {
+            Some(layers) => layers.reflectance(cos_theta),
+            None => T::zero(),
         };
         C::from_channels(C::by_channel(of))
     }

@@ -1,4 +1,4 @@
-//! One measured material.
+//! The measured index of one material.
 
 use core::fmt;
 use core::ops::RangeInclusive;
@@ -49,7 +49,7 @@ pub enum Form {
     Formula,
 }
 
-/// A measured material: a table of its index, and where that comes from.
+/// A material whose index was measured: the table, and where that comes from.
 ///
 /// The statics of [`materials`](super) are all there are.
 pub struct Material {

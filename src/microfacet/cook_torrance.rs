@@ -1,4 +1,4 @@
-use super::albedo::albedo;
+use super::directional_albedo::albedo;
 use super::shadowing::{Draw, Mirrored, Shadowing};
 use super::smith::SmithCorrelated;
 use super::usual::DefaultShadowing;

@@ -1,9 +1,9 @@
 //! Surfaces of many small mirrors: shadowing of the facets, and their reflection.
 
-mod albedo;
 mod any_shadowing;
 mod areas;
 mod cook_torrance;
+mod directional_albedo;
 mod historical;
 mod mixture_block;
 mod planes;

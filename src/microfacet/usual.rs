@@ -12,7 +12,8 @@ use crate::distribution::{
 use crate::real::Real;
 
 /// The shadowing that [`CookTorrance::new`](crate::CookTorrance::new) gives a distribution:
-/// [`SmithCorrelated`] where Smith's term is known, [`VCavity`] otherwise.
+/// [`SmithCorrelated`] where Smith's term is known of the type, [`VCavity`] otherwise. An [`AnyMixture`]
+/// may consist of anything; as an [`AnyDistribution`] it has the shadowing that its terms allow.
 ///
 /// Whoever writes a distribution of their own says so in two lines; or they build the surface by
 /// [`CookTorrance::from_parts`](crate::CookTorrance::from_parts), which needs no default.
@@ -60,8 +61,11 @@ macro_rules! usual {
 }
 
 usual!(SmithCorrelated: [T] Beckmann<T>, [T] Ggx<T>, [T: Real] dyn Smith<T>);
-usual!(VCavity: [T] Gaussian<T>, [T] Blinn<T>, [T: Real] dyn Distribution<T>);
-usual!(AnyShadowing: [T: Real] AnyDistribution<T>, [T: Real] AnyMixture<T>);
+usual!(
+    VCavity:
+    [T] Gaussian<T>, [T] Blinn<T>, [T: Real] AnyMixture<T>, [T: Real] dyn Distribution<T>
+);
+usual!(AnyShadowing: [T: Real] AnyDistribution<T>);
 usual!(D::Shadowing: [T, D: DefaultShadowing, const N: usize] Mixture<T, D, N>);
 usual!(
     D::Shadowing:

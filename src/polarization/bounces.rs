@@ -31,11 +31,10 @@ impl<T: Real> Bounces<T> {
         let second = Medium::new(outside, film, substrate);
         let incidence = Incidence::new(outside, cos_theta);
         let normal = first.normal(&incidence);
-        let upper = Wave::leaving(normal)
-            .above(&incidence, &first, outside, outside * incidence.cos)
+        let front = outside * incidence.cos;
+        let upper = Wave::bare(&incidence, &first, normal, outside, front)
             .amplitudes(&incidence, outside, film, normal);
-        let below = Wave::leaving(second.normal(&incidence));
-        let lower = below.above(&incidence, &second, film, normal);
+        let lower = Wave::bare(&incidence, &second, second.normal(&incidence), film, normal);
         Self { normal, upper: upper.r, entering: upper.transmittance, lower: lower.r }
     }
 }

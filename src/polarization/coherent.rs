@@ -49,7 +49,13 @@ pub struct Layer<V = f32, T = V> {
 ///
 /// # Accuracy
 /// e decays in an absorbing layer, so that a layer of any thickness is stable, unlike products of
-/// matrices. In `f32` the phase 4π q d/λ carries the rounding of its own size.
+/// matrices. In `f64` R + T = 1 to 10⁻¹⁴ with a few transparent layers; resonances of up to 64 layers make
+/// more of rounding, up to some 10⁻¹² in random stacks.
+///
+/// In `f32` the phase 4π q d/λ carries the rounding of its own size. R of one film is within 2·10⁻⁶ of
+/// `f64` for d ≤ λ (on metals, glass and in air, cosθ ≥ 0.1), and grows from there with d, faster where
+/// both surfaces reflect much: 10⁻⁵ at ten wavelengths of an oxide on a metal. Eight quarter-wave pairs
+/// are at 4·10⁻⁶, 32 pairs at 10⁻⁴.
 ///
 /// # Sources
 /// G. B. Airy 1833; P. Rouard, *Études des propriétés optiques des lames métalliques très minces*,
@@ -120,86 +126,139 @@ impl<T: Real> Layers<T> {
     /// All amplitudes at the given cosine of the angle of incidence, of which the sign is ignored.
     #[must_use]
     pub fn amplitudes(&self, cos_theta: T) -> Amplitudes<T> {
-        let incidence = Incidence::new(self.outside, cos_theta);
-        let mut behind = &self.substrate;
-        let bottom = behind.normal(&incidence);
-        let mut wave = Wave::leaving(bottom);
-        for film in self.films.iter().rev() {
-            let normal = film.medium.normal(&incidence);
-            wave = wave.above(&incidence, behind, film.medium.index, normal).across(film.waves);
-            behind = &film.medium;
-        }
-        wave.above(&incidence, behind, self.outside, self.outside * incidence.cos).amplitudes(
-            &incidence,
-            self.outside,
-            self.substrate.index,
-            bottom,
-        )
+        let incidence = self.incidence(cos_theta);
+        let (outside, front) = (self.outside, self.outside * incidence.cos);
+        let bottom = self.substrate.normal(&incidence);
+        let wave = match self.below(&incidence) {
+            Some((first, wave)) => wave.above(&incidence, first, outside, front),
+            None => Wave::bare(&incidence, &self.substrate, bottom, outside, front),
+        };
+        wave.amplitudes(&incidence, outside, self.substrate.index, bottom)
     }
 
     /// (R_s + R_p)/2 at the given cosine of the angle of incidence, of which the sign is ignored.
     #[inline(always)]
     #[must_use]
     pub fn reflectance(&self, cos_theta: T) -> T {
-        let incidence = Incidence::new(self.outside, cos_theta);
-        let mut behind = &self.substrate;
-        let mut wave = Wave::leaving(behind.normal(&incidence));
-        for film in self.films.iter().rev() {
-            let normal = film.medium.normal(&incidence);
-            wave = wave.above(&incidence, behind, film.medium.index, normal).across(film.waves);
-            behind = &film.medium;
+        let incidence = self.incidence(cos_theta);
+        match self.below(&incidence) {
+            Some((first, wave)) => self.whole(&incidence, first, wave),
+            None => self.bare(&incidence),
         }
-        self.reflected(&incidence, behind, wave)
-    }
-
-    /// The reflectance of the whole, from the wave below the first boundary.
-    #[inline(always)]
-    fn reflected(&self, incidence: &Incidence<T>, first: &Medium<T>, wave: Wave<T>) -> T {
-        let r = wave.above(incidence, first, self.outside, self.outside * incidence.cos).r;
-        let sum = r.map(Complex::norm_squared).unpolarized();
-        // At most 1, but for rounding, where the light comes from a transparent medium.
-        let transparent = self.outside.im.le(T::zero());
-        T::select(transparent, sum.min(T::one()), sum.min(T::max_finite()))
     }
 
     /// [`reflectance`](Self::reflectance) for a block of cosines, film by film: each is a loop over
     /// the block.
     pub(crate) fn reflectance_block(&self, cosines: CosineBlock<'_, T>, values: &mut Plane<T>) {
-        let mut behind = &self.substrate;
+        let values = core::array::from_mut(values);
+        let Some((last, films)) = self.films.split_last() else {
+            return cosines.numbers(
+                values,
+                #[inline(always)]
+                |index| [self.bare(&self.incidence(cosines.cos(index)))],
+            );
+        };
+        if films.is_empty() {
+            return cosines.numbers(
+                values,
+                #[inline(always)]
+                |index| {
+                    let incidence = self.incidence(cosines.cos(index));
+                    [self.whole(&incidence, &last.medium, self.bottom(last, &incidence))]
+                },
+            );
+        }
         let mut planes = [[T::zero(); BLOCK]; 6];
-        for (place, film) in self.films.iter().rev().enumerate() {
-            let first = place == 0;
+        cosines.numbers(
+            &mut planes,
+            #[inline(always)]
+            |index| self.bottom(last, &self.incidence(cosines.cos(index))).planes(),
+        );
+        let mut behind = &last.medium;
+        for film in films.iter().rev() {
             cosines.changed(
                 &mut planes,
                 &mut [],
                 #[inline(always)]
-                |index, before| {
-                    let incidence = Incidence::new(self.outside, cosines.cos(index));
-                    let below = if first {
-                        Wave::leaving(behind.normal(&incidence))
-                    } else {
-                        Wave::of_planes(before)
-                    };
-                    let normal = film.medium.normal(&incidence);
-                    let wave = below.above(&incidence, behind, film.medium.index, normal);
-                    (wave.across(film.waves).planes(), [])
+                |index, below| {
+                    (
+                        film.over(
+                            behind,
+                            Wave::of_planes(below),
+                            &self.incidence(cosines.cos(index)),
+                        )
+                        .planes(),
+                        [],
+                    )
                 },
             );
             behind = &film.medium;
         }
         cosines.numbers(
-            core::array::from_mut(values),
+            values,
             #[inline(always)]
             |index| {
-                let incidence = Incidence::new(self.outside, cosines.cos(index));
-                let below = if self.films.is_empty() {
-                    Wave::leaving(behind.normal(&incidence))
-                } else {
-                    Wave::of_planes(core::array::from_fn(|plane| planes[plane][index]))
-                };
-                [self.reflected(&incidence, behind, below)]
+                let below = Wave::of_planes(core::array::from_fn(
+                    #[inline(always)]
+                    |plane| planes[plane][index],
+                ));
+                [self.whole(&self.incidence(cosines.cos(index)), behind, below)]
             },
         );
+    }
+
+    #[inline(always)]
+    fn incidence(&self, cos_theta: T) -> Incidence<T> {
+        Incidence::new(self.outside, cos_theta)
+    }
+
+    /// The medium of the first layer and the wave at its top, if there is a layer.
+    #[inline(always)]
+    fn below(&self, incidence: &Incidence<T>) -> Option<(&Medium<T>, Wave<T>)> {
+        let (last, films) = self.films.split_last()?;
+        let start = (&last.medium, self.bottom(last, incidence));
+        Some(films.iter().rev().fold(start, |(behind, below), film| {
+            (&film.medium, film.over(behind, below, incidence))
+        }))
+    }
+
+    /// The wave at the top of the last layer.
+    #[inline(always)]
+    fn bottom(&self, last: &Film<T>, incidence: &Incidence<T>) -> Wave<T> {
+        let (normal, bottom) = (last.medium.normal(incidence), self.substrate.normal(incidence));
+        Wave::bare(incidence, &self.substrate, bottom, last.medium.index, normal).across(last.waves)
+    }
+
+    /// The reflectance of the whole, from the wave at the top of the first layer.
+    #[inline(always)]
+    fn whole(&self, incidence: &Incidence<T>, first: &Medium<T>, wave: Wave<T>) -> T {
+        let (outside, front) = (self.outside, self.outside * incidence.cos);
+        self.bounded(wave.reflectance_above(incidence, first, outside, front))
+    }
+
+    /// The reflectance without any layer.
+    #[inline(always)]
+    fn bare(&self, incidence: &Incidence<T>) -> T {
+        let (outside, front) = (self.outside, self.outside * incidence.cos);
+        let bottom = self.substrate.normal(incidence);
+        let wave = Wave::bare(incidence, &self.substrate, bottom, outside, front);
+        self.bounded(wave.r.map(Complex::norm_squared).unpolarized())
+    }
+
+    /// At most 1, but for rounding, where the light comes from a transparent medium.
+    #[inline(always)]
+    fn bounded(&self, reflectance: T) -> T {
+        let transparent = self.outside.im.le(T::zero());
+        reflectance.min(T::select(transparent, T::one(), T::max_finite()))
+    }
+}
+
+impl<T: Real> Film<T> {
+    /// The wave at the top of this layer, from that at the top of the medium behind it.
+    #[inline(always)]
+    fn over(&self, behind: &Medium<T>, below: Wave<T>, incidence: &Incidence<T>) -> Wave<T> {
+        let normal = self.medium.normal(incidence);
+        below.above(incidence, behind, self.medium.index, normal).across(self.waves)
     }
 }
 

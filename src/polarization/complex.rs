@@ -6,8 +6,8 @@ use crate::real::Real;
 
 /// A complex number: an amplitude, a refractive index n + ik.
 ///
-/// No operation branches on a value; division and root neither overflow nor underflow on the way,
-/// and a quotient by 0 is finite. The parts may be colours, where it only holds them.
+/// No operation branches on a value; a division neither overflows nor underflows on the way, and a
+/// quotient by 0 is finite. The parts may be colours, where it only holds them.
 ///
 /// ```
 /// use brdf::polarization::Complex;
@@ -87,21 +87,19 @@ impl<T: Real> Complex<T> {
         let (re, im) = (self.re * scale, self.im * scale);
         // Between 1 and 2, but for parts below the floor of `larger`.
         let quotient = scale / (re.squared() + im.squared()).max(T::lit(1e-37));
+        let quotient = quotient.min(T::max_finite());
         Self { re: re * quotient, im: -(im * quotient) }
     }
 
     /// That of the two square roots with the sum of its parts positive. It is the one that a wave in
     /// a medium takes, which travels away from the surface and decays.
     ///
-    /// The root of 0, which would have no derivative, is 2·10⁻¹⁹.
+    /// The root of 0, which would have no derivative, is a small number instead. |z|² must fit into the
+    /// number.
     #[inline(always)]
     #[must_use]
     pub fn root(self) -> Self {
-        // |z| without its square, which `f32` may not hold.
-        let largest = self.larger();
-        let scale = T::one() / largest;
-        let (re, im) = (self.re * scale, self.im * scale);
-        let modulus = largest * (re.squared() + im.squared()).max(T::one()).sqrt();
+        let modulus = self.norm_squared().max(Self::floor()).sqrt();
         let larger = ((modulus + self.re.abs()) * T::lit(0.5)).sqrt();
         let smaller = self.im / (larger + larger);
         let propagates = self.re.ge(T::zero());
@@ -109,6 +107,12 @@ impl<T: Real> Complex<T> {
             re: T::select(propagates, larger, smaller),
             im: T::select(propagates, smaller, larger),
         }
+    }
+
+    /// The smallest square of a modulus that has digits.
+    #[inline(always)]
+    pub(super) fn floor() -> T {
+        T::lit(if T::SPACING < 1e-10 { 1e-300 } else { 1e-37 })
     }
 
     /// The larger of the absolute values of both parts, at least 10⁻³⁷.
@@ -184,6 +188,7 @@ impl<T: Real> Mul<T> for Complex<T> {
 impl<T: Real> Div for Complex<T> {
     type Output = Self;
     #[inline(always)]
+    #[allow(clippy::suspicious_arithmetic_impl, reason = "the inverse guards the division")]
     fn div(self, other: Self) -> Self {
         self * other.inverse()
     }

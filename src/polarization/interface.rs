@@ -80,8 +80,12 @@ impl<T: Real> Interface<T> {
     pub fn amplitudes(&self, cos_theta: T) -> Amplitudes<T> {
         let incidence = Incidence::new(self.from, cos_theta);
         let bottom = self.to.normal(&incidence);
-        Wave::leaving(bottom)
-            .above(&incidence, &self.to, self.from, self.from * incidence.cos)
-            .amplitudes(&incidence, self.from, self.to.index, bottom)
+        let front = self.from * incidence.cos;
+        Wave::bare(&incidence, &self.to, bottom, self.from, front).amplitudes(
+            &incidence,
+            self.from,
+            self.to.index,
+            bottom,
+        )
     }
 }

@@ -20,7 +20,8 @@ use crate::real::{Color, Real};
 ///
 /// // Light that glass reflects at Brewster's angle is polarised along s.
 /// let glass = Interface::new(Complex::real(1.0_f64), Complex::real(1.5))?;
-/// let mirror: Mueller<f64> = glass.amplitudes(brdf::brewster_angle(1.0, 1.5).cos()).mueller_reflection();
+/// let cos_theta = brdf::brewster_angle(1.0_f64, 1.5).cos();
+/// let mirror: Mueller<f64> = glass.amplitudes(cos_theta).mueller_reflection();
 /// let light = mirror * Stokes::unpolarized(1.0);
 /// assert!((light.degree_of_polarization() - 1.0).abs() < 1e-15);
 /// assert!(mirror.realizability() > -1e-15);

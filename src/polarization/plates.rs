@@ -42,7 +42,7 @@ pub const MAX_PLATES: u32 = 1 << 20;
 ///
 /// // Eight panes at Brewster's angle.
 /// let pile = Plates::new(1.5_f64, 8, 0.0)?;
-/// let passed = pile.at(brdf::brewster_angle(1.0, 1.5).cos()).transmittance;
+/// let passed = pile.at(brdf::brewster_angle(1.0_f64, 1.5).cos()).transmittance;
 /// let polarization = (passed.p - passed.s) / (passed.p + passed.s);
 /// assert!((polarization - 0.58139535).abs() < 1e-8);
 /// # Ok::<(), brdf::ParameterError>(())
@@ -92,18 +92,22 @@ impl<T: Real> Plates<T> {
         let cos_squared = one - sin / self.index.squared();
         let enters = cos_squared.gt(zero);
         let cos = T::select(enters, cos_squared, one).sqrt();
-        let through = (-(self.absorption / cos)).exp();
-        let pile = |r: T, t: T| Slab::plate(r, t, through).pile(self.count);
-        let (s, p) = (pile(r.s, t.s), pile(r.p, t.p));
-        let both = surface.r.s * surface.r.p.conj();
-        // t_s t_p* with the power factor that both share.
-        let root = surface.t.s * surface.t.p.conj();
+        let exponent = -(self.absorption / cos);
+        let between = Slab { reflected: zero, passed: exponent.exp(), kept: -exponent.exp_m1() };
+        let pile = |reflected: T, passed: T, kept: T| {
+            Slab { reflected, passed, kept }.plate(between).pile(self.count)
+        };
+        let (s, p) = (pile(r.s, t.s, zero), pile(r.p, t.p, zero));
+        // r_s r_p, of which the sign is the same for all plates, and √(T_s T_p).
+        let product = (surface.r.s * surface.r.p.conj()).re;
+        let both = (surface.t.s * surface.t.p.conj()).re;
         let factor = t.s / surface.t.s.norm_squared().max(T::lit(1e-37));
-        let mixed = pile(both.re, root.re * factor);
+        let (size, both) = (product.abs(), both * factor);
+        let mixed = pile(size, both, (one - size - both).max(zero));
         Incoherent {
             reflectance: Polarized { s: s.reflected, p: p.reflected },
             transmittance: Polarized { s: s.passed, p: p.passed },
-            mixed: [mixed.reflected, mixed.passed],
+            mixed: [mixed.reflected.copysign(product), mixed.passed],
         }
     }
 }
@@ -135,27 +139,40 @@ fn diagonal_blocks<T: Real>(power: Polarized<T>, mixed: T) -> Mueller<T> {
     }
 }
 
-/// What a slab reflects and transmits of one component of the light, the same from both sides.
+/// What becomes of one component of the light in a slab, the same from both sides. The three add up to
+/// 1; to know each of them by itself keeps the digits of what remains of a pile of many plates.
 #[derive(Clone, Copy)]
 struct Slab<T> {
     reflected: T,
     passed: T,
+    /// What is neither reflected nor passed.
+    kept: T,
 }
 
 impl<T: Real> Slab<T> {
-    /// Two surfaces and what is between them.
-    fn plate(r: T, t: T, through: T) -> Self {
-        let inside = r * through;
-        let turns = t * through * quotient(T::one(), inside * inside);
-        Self { reflected: r + t * inside * turns, passed: t * turns }
+    /// Two surfaces like this one and what is between them, which does not reflect.
+    fn plate(self, between: Self) -> Self {
+        let Self { reflected: r, passed: t, kept } = self;
+        let inside = r * between.passed;
+        // 1 − inside, of positive terms.
+        let rest = t + kept + r * between.kept;
+        let entered = quotient(t, rest * (T::one() + inside));
+        Self {
+            reflected: r + entered * inside * between.passed * t,
+            passed: entered * between.passed * t,
+            kept: kept + quotient(t, rest) * (between.kept + kept * between.passed),
+        }
     }
 
     /// This slab over another one.
     fn over(self, below: Self) -> Self {
-        let turns = self.passed * quotient(T::one(), self.reflected * below.reflected);
+        // 1 − R_a R_b, of positive terms.
+        let rest = self.passed + self.kept + self.reflected * (below.passed + below.kept);
+        let entered = quotient(self.passed, rest);
         Self {
-            reflected: self.reflected + self.passed * below.reflected * turns,
-            passed: turns * below.passed,
+            reflected: self.reflected + entered * below.reflected * self.passed,
+            passed: entered * below.passed,
+            kept: self.kept + entered * (below.kept + below.reflected * self.kept),
         }
     }
 
@@ -173,9 +190,8 @@ impl<T: Real> Slab<T> {
     }
 }
 
-/// 1/(one − part), 0 where nothing is left: there nothing has passed either.
-fn quotient<T: Real>(one: T, part: T) -> T {
-    let rest = one - part;
+/// What enters over what does not come back; 0 where nothing enters.
+fn quotient<T: Real>(part: T, rest: T) -> T {
     let some = rest.gt(T::zero());
-    (one / T::select(some, rest, one)).only_where(some)
+    (part / T::select(some, rest, T::one())).only_where(some)
 }

@@ -14,7 +14,7 @@ use crate::real::Real;
 ///
 /// let circular = Stokes::of_field([Complex::real(0.5_f64.sqrt()), Complex::new(0.0, 0.5_f64.sqrt())]);
 /// assert!((circular.v - 1.0).abs() < 1e-15 && circular.q == 0.0);
-/// let behind = Jones::polarizer(0.3).mueller() * Stokes::unpolarized(2.0);
+/// let behind = Jones::polarizer(0.3_f64).mueller() * Stokes::unpolarized(2.0);
 /// assert!((behind.i - 1.0).abs() < 1e-15);
 /// assert!((behind.degree_of_polarization() - 1.0).abs() < 1e-15);
 /// ```

@@ -8,6 +8,55 @@ use super::medium::{Incidence, Medium};
 use super::polarized::Polarized;
 use crate::real::Real;
 
+/// What a boundary does to a wave.
+///
+/// ```text
+/// ρ_s = (n₁² − n₂²)/(q₁ + q₂)²    ρ_p = −ρ_s (q₁q₂ − κ²)/(q₁q₂ + κ²)    κ = n₀ sinθ₀
+/// τ_s = 2q₁/(q₁ + q₂)             τ_p = τ_s n₁n₂/(q₁q₂ + κ²)
+/// ```
+///
+/// where no near numbers are subtracted but those that make the light of Brewster's angle vanish.
+struct Boundary<T> {
+    /// ρ.
+    s: Complex<T>,
+    p: Complex<T>,
+    /// τ/2q₁.
+    through_s: Complex<T>,
+    through_p: Complex<T>,
+}
+
+impl<T: Real> Boundary<T> {
+    #[inline(always)]
+    fn new(
+        incidence: &Incidence<T>,
+        behind: &Medium<T>,
+        bottom: Complex<T>,
+        index: Complex<T>,
+        normal: Complex<T>,
+    ) -> Self {
+        let (product, tangential) = (normal * bottom, incidence.tangential_squared);
+        let sum = normal + bottom;
+        let [inverse, parallel] = inverses(sum.squared(), product + tangential);
+        let s = behind.contrast * inverse;
+        let p = s * (tangential - product) * parallel;
+        // Where the reflection is asked for alone, this is not computed.
+        let through_s = sum.inverse();
+        Self { s, p, through_s, through_p: through_s * parallel * (index * behind.index) }
+    }
+}
+
+/// 1/a and 1/b by one division, of numbers whose squares neither overflow nor underflow together.
+#[inline(always)]
+fn inverses<T: Real>(a: Complex<T>, b: Complex<T>) -> [Complex<T>; 2] {
+    // No boundary of passive media comes near the bound, which keeps the product finite.
+    let bound = T::lit(1e18);
+    let (a_squared, b_squared) = (a.norm_squared().min(bound), b.norm_squared().min(bound));
+    let scale = T::one() / (a_squared * b_squared).max(Complex::floor());
+    // Where the floor acts, one of them is next to 0 and the quotient must stay finite.
+    let most = T::max_finite();
+    [a.conj() * (b_squared * scale).min(most), b.conj() * (a_squared * scale).min(most)]
+}
+
 /// What is known of all that lies below a plane in a medium.
 #[derive(Clone, Copy)]
 pub(super) struct Wave<T> {
@@ -20,22 +69,22 @@ pub(super) struct Wave<T> {
 }
 
 impl<T: Real> Wave<T> {
-    /// The last medium, from which nothing returns.
+    /// Above the boundary to the last medium, from which nothing returns; `behind` is that medium and
+    /// `bottom` its q, the others are those of the medium in front.
     #[inline(always)]
-    pub(super) fn leaving(normal: Complex<T>) -> Self {
-        let (zero, one) = (Complex::real(T::zero()), Complex::real(T::one()));
-        Self { normal, r: Polarized { s: zero, p: zero }, passed: Polarized { s: one, p: one } }
+    pub(super) fn bare(
+        incidence: &Incidence<T>,
+        behind: &Medium<T>,
+        bottom: Complex<T>,
+        index: Complex<T>,
+        normal: Complex<T>,
+    ) -> Self {
+        let Boundary { s, p, through_s, through_p } =
+            Boundary::new(incidence, behind, bottom, index, normal);
+        Self { normal, r: Polarized { s, p }, passed: Polarized { s: through_s, p: through_p } }
     }
 
     /// Above the boundary of the medium `behind`, in which this wave is, to one in front.
-    ///
-    /// ```text
-    /// ρ_s = (n₁² − n₂²)/(q₁ + q₂)²    ρ_p = −ρ_s (q₁q₂ − κ²)/(q₁q₂ + κ²)    κ = n₀ sinθ₀
-    /// τ_s = 2q₁/(q₁ + q₂)             τ_p = τ_s n₁n₂/(q₁q₂ + κ²)
-    /// ```
-    ///
-    /// where no near numbers are subtracted but those that make the light of Brewster's angle
-    /// vanish.
     #[inline(always)]
     pub(super) fn above(
         self,
@@ -44,34 +93,46 @@ impl<T: Real> Wave<T> {
         index: Complex<T>,
         normal: Complex<T>,
     ) -> Self {
-        let (product, tangential) = (normal * self.normal, incidence.tangential_squared);
-        let sum = (normal + self.normal).inverse();
-        let parallel = (product + tangential).inverse();
-        let s = behind.contrast * sum * sum;
-        let p = s * (tangential - product) * parallel;
+        let Boundary { s, p, through_s, through_p } =
+            Boundary::new(incidence, behind, self.normal, index, normal);
         let one = Complex::real(T::one());
-        let airy = |rho: Complex<T>, r: Complex<T>| {
-            let inverse = (one + rho * r).inverse();
-            ((rho + r) * inverse, inverse)
-        };
-        let ((r_s, inverse_s), (r_p, inverse_p)) = (airy(s, self.r.s), airy(p, self.r.p));
+        let [inverse_s, inverse_p] = inverses(one + s * self.r.s, one + p * self.r.p);
         Self {
             normal,
-            r: Polarized { s: r_s, p: r_p },
+            r: Polarized { s: (s + self.r.s) * inverse_s, p: (p + self.r.p) * inverse_p },
             passed: Polarized {
-                s: self.passed.s * sum * inverse_s,
-                p: self.passed.p * sum * parallel * (index * behind.index) * inverse_p,
+                s: self.passed.s * through_s * inverse_s,
+                p: self.passed.p * through_p * inverse_p,
             },
         }
+    }
+
+    /// (R_s + R_p)/2 of what [`above`](Self::above) would answer.
+    #[inline(always)]
+    pub(super) fn reflectance_above(
+        self,
+        incidence: &Incidence<T>,
+        behind: &Medium<T>,
+        index: Complex<T>,
+        normal: Complex<T>,
+    ) -> T {
+        let Boundary { s, p, .. } = Boundary::new(incidence, behind, self.normal, index, normal);
+        let one = Complex::real(T::one());
+        let above = [(s + self.r.s).norm_squared(), (p + self.r.p).norm_squared()];
+        let below = [(one + s * self.r.s).norm_squared(), (one + p * self.r.p).norm_squared()];
+        let sum = above[0] * below[1] + above[1] * below[0];
+        sum * T::lit(0.5) / (below[0] * below[1]).max(Complex::floor())
     }
 
     /// At the top of a layer that is this many wavelengths thick, from the boundary at its bottom.
     #[inline(always)]
     pub(super) fn across(self, waves: T) -> Self {
         // In a stack seen from an absorbing medium a wave may grow; the bound keeps it finite.
-        let growth = (self.normal.im * (waves * T::lit(-TAU))).min(T::lit(20.0));
-        let e = Complex::from_turns(growth.exp(), self.normal.re * waves);
-        let (round_trip, through) = (e * e, e * (self.normal + self.normal));
+        let growth = (self.normal.im * (waves * T::lit(-TAU))).min(T::lit(5.0));
+        let turns = self.normal.re * waves;
+        // Each of its own: where the reflection is asked for alone, nothing else is computed.
+        let round_trip = Complex::from_turns((growth + growth).exp(), turns + turns);
+        let through = Complex::from_turns(growth.exp(), turns) * (self.normal + self.normal);
         Self {
             normal: self.normal,
             r: self.r.map(
@@ -120,6 +181,7 @@ impl<T: Real> Wave<T> {
     #[inline(always)]
     pub(super) fn of_planes([q_re, q_im, s_re, s_im, p_re, p_im]: [T; 6]) -> Self {
         let r = Polarized { s: Complex::new(s_re, s_im), p: Complex::new(p_re, p_im) };
-        Self { r, ..Self::leaving(Complex::new(q_re, q_im)) }
+        let one = Complex::real(T::one());
+        Self { normal: Complex::new(q_re, q_im), r, passed: Polarized { s: one, p: one } }
     }
 }

@@ -47,104 +47,85 @@ impl<M, C, T> Term<M, C, T> {
     }
 }
 
-// Block by block, term by term: each term in loops of its own.
+/// The terms of a sum for the blocks of its batches: block by block, term by term, each term in loops
+/// of its own.
+pub(super) struct Terms<'a, M, C, T>(pub(super) &'a [Term<M, C, T>]);
 
-pub(super) fn eval_block<T, C, M>(
-    terms: &[Term<M, C, T>],
-    pairs: PairBlock<'_, T>,
-    values: &mut ColorBlock<T, C>,
-) where
+impl<T, C, M> Terms<'_, M, C, T>
+where
     T: Real,
     C: Color<T>,
     M: Brdf<T, Color = C>,
 {
-    let (mut sum, mut each) = (black::<T, C>(), black::<T, C>());
-    for term in terms {
-        term.model.eval_block(pairs, &mut each);
-        add::<T, C>(pairs, &mut sum, term.weight, &each);
-    }
-    for (values, sum) in values.as_mut().iter_mut().zip(sum.as_ref()) {
-        *values = sum.map(|sum| sum.min(T::max_finite()));
-    }
-}
-
-pub(super) fn pdf_block<T, C, M>(
-    terms: &[Term<M, C, T>],
-    pairs: PairBlock<'_, T>,
-    pdf: &mut Plane<T>,
-) where
-    T: Real,
-    C: Color<T>,
-    M: Brdf<T, Color = C>,
-{
-    let mut each = [T::zero(); BLOCK];
-    let mut sum = each;
-    for term in terms {
-        term.model.pdf_block(pairs, &mut each);
-        for (sum, pdf) in sum.iter_mut().zip(each) {
-            *sum = *sum + term.probability * pdf;
+    pub(super) fn eval_block(self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, C>) {
+        let (mut sum, mut each) = (black::<T, C>(), black::<T, C>());
+        for term in self.0 {
+            term.model.eval_block(pairs, &mut each);
+            add::<T, C>(pairs, &mut sum, term.weight, &each);
+        }
+        for (values, sum) in values.as_mut().iter_mut().zip(sum.as_ref()) {
+            *values = sum.map(|sum| sum.min(T::max_finite()));
         }
     }
-    *pdf = sum.map(|sum| sum.min(T::max_finite()));
-}
 
-pub(super) fn eval_pdf_block<T, C, M>(
-    terms: &[Term<M, C, T>],
-    pairs: PairBlock<'_, T>,
-    values: &mut ColorBlock<T, C>,
-    pdf: &mut Plane<T>,
-) where
-    T: Real,
-    C: Color<T>,
-    M: Brdf<T, Color = C>,
-{
-    let (mut value, mut density) = (black::<T, C>(), [T::zero(); BLOCK]);
-    let (mut values_sum, mut sum) = (black::<T, C>(), density);
-    for term in terms {
-        term.model.eval_pdf_block(pairs, &mut value, &mut density);
-        add::<T, C>(pairs, &mut values_sum, term.weight, &value);
-        for (sum, pdf) in sum.iter_mut().zip(density) {
-            *sum = *sum + term.probability * pdf;
+    pub(super) fn pdf_block(self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
+        let mut each = [T::zero(); BLOCK];
+        let mut sum = each;
+        for term in self.0 {
+            term.model.pdf_block(pairs, &mut each);
+            for (sum, pdf) in sum.iter_mut().zip(each) {
+                *sum = *sum + term.probability * pdf;
+            }
         }
+        *pdf = sum.map(|sum| sum.min(T::max_finite()));
     }
-    for (values, sum) in values.as_mut().iter_mut().zip(values_sum.as_ref()) {
-        *values = sum.map(|sum| sum.min(T::max_finite()));
-    }
-    *pdf = sum.map(|sum| sum.min(T::max_finite()));
-}
 
-pub(super) fn sample_block<T, C, M>(
-    terms: &[Term<M, C, T>],
-    draws: DrawBlock<'_, T>,
-    samples: &mut SampleBlock<T, C>,
-) where
-    T: Real,
-    C: Color<T>,
-    M: Brdf<T, Color = C>,
-{
-    let (mut start, mut kept) = (T::zero(), [Kept::new(); BLOCK]);
-    let [_, _, _, u0, u1] = draws.planes;
-    let u0 = u0.map(|u| uniform([u; 2])[0]);
-    for term in terms {
-        let stretched = u0.map(|u| term.stretched(start, u));
-        term.model.sample_block(draws.with([&stretched, u1]), samples);
-        let [x, y, z, pdf] = &samples.wi_pdf;
-        for (index, kept) in kept.iter_mut().enumerate() {
-            let wi = Vector::new(x[index], y[index], z[index]);
-            *kept = kept.or(term.reached(start, u0[index]), wi, pdf[index]);
+    pub(super) fn eval_pdf_block(
+        self,
+        pairs: PairBlock<'_, T>,
+        values: &mut ColorBlock<T, C>,
+        pdf: &mut Plane<T>,
+    ) {
+        let (mut value, mut density) = (black::<T, C>(), [T::zero(); BLOCK]);
+        let (mut values_sum, mut sum) = (black::<T, C>(), density);
+        for term in self.0 {
+            term.model.eval_pdf_block(pairs, &mut value, &mut density);
+            add::<T, C>(pairs, &mut values_sum, term.weight, &value);
+            for (sum, pdf) in sum.iter_mut().zip(density) {
+                *sum = *sum + term.probability * pdf;
+            }
         }
-        start = start + term.probability;
+        for (values, sum) in values.as_mut().iter_mut().zip(values_sum.as_ref()) {
+            *values = sum.map(|sum| sum.min(T::max_finite()));
+        }
+        *pdf = sum.map(|sum| sum.min(T::max_finite()));
     }
-    let (mut pdf, mut values) = ([T::zero(); BLOCK], black::<T, C>());
-    let wi = kept.each_ref().map(|kept| kept.wi);
-    let wi = [wi.map(Vector::x), wi.map(Vector::y), wi.map(Vector::z)];
-    let pairs = draws.lit_from(wi.each_ref());
-    eval_pdf_block(terms, pairs, &mut values, &mut pdf);
-    draws.samples(
-        samples,
-        #[inline(always)]
-        |index| kept[index].sample(pdf[index], C::at(&values, index)),
-    );
+
+    pub(super) fn sample_block(self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, C>) {
+        let (mut start, mut kept) = (T::zero(), [Kept::new(); BLOCK]);
+        let [_, _, _, u0, u1] = draws.planes;
+        let u0 = u0.map(|u| uniform([u; 2])[0]);
+        for term in self.0 {
+            let stretched = u0.map(|u| term.stretched(start, u));
+            term.model.sample_block(draws.with([&stretched, u1]), samples);
+            let [x, y, z, pdf] = &samples.wi_pdf;
+            for (index, kept) in kept.iter_mut().enumerate() {
+                let wi = Vector::new(x[index], y[index], z[index]);
+                *kept = kept.or(term.reached(start, u0[index]), wi, pdf[index]);
+            }
+            start = start + term.probability;
+        }
+        let (mut pdf, mut values) = ([T::zero(); BLOCK], black::<T, C>());
+        let wi = kept.each_ref().map(|kept| kept.wi);
+        let wi = [wi.map(Vector::x), wi.map(Vector::y), wi.map(Vector::z)];
+        let pairs = draws.lit_from(wi.each_ref());
+        self.eval_pdf_block(pairs, &mut values, &mut pdf);
+        draws.samples(
+            samples,
+            #[inline(always)]
+            |index| kept[index].sample(pdf[index], C::at(&values, index)),
+        );
+    }
 }
 
 /// Adds weighted colours to a block.

@@ -1,6 +1,6 @@
 use alloc::vec;
 
-use super::terms::{Kept, Term, eval_block, eval_pdf_block, limited, pdf_block, sample_block};
+use super::terms::{Kept, Term, Terms, limited};
 use super::weighted::WeightedSum;
 use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
@@ -145,11 +145,11 @@ where
     }
 
     fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, C>) {
-        eval_block(&[self.first.as_dyn(), self.second.as_dyn()], pairs, values);
+        Terms(&self.terms()).eval_block(pairs, values);
     }
 
     fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
-        pdf_block(&[self.first.as_dyn(), self.second.as_dyn()], pairs, pdf);
+        Terms(&self.terms()).pdf_block(pairs, pdf);
     }
 
     fn eval_pdf_block(
@@ -158,15 +158,26 @@ where
         values: &mut ColorBlock<T, C>,
         pdf: &mut Plane<T>,
     ) {
-        eval_pdf_block(&[self.first.as_dyn(), self.second.as_dyn()], pairs, values, pdf);
+        Terms(&self.terms()).eval_pdf_block(pairs, values, pdf);
     }
 
     fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, C>) {
-        sample_block(&[self.first.as_dyn(), self.second.as_dyn()], draws, samples);
+        Terms(&self.terms()).sample_block(draws, samples);
     }
 }
 
 impl<A, B, C, T> SumOfTwo<A, B, C, T> {
+    /// Both terms, of one type.
+    fn terms(&self) -> [Term<&dyn Brdf<T, Color = C>, C, T>; 2]
+    where
+        T: Real,
+        C: Color<T>,
+        A: Brdf<T, Color = C>,
+        B: Brdf<T, Color = C>,
+    {
+        [self.first.as_dyn(), self.second.as_dyn()]
+    }
+
     /// The weighted sum of a colour of each.
     #[inline(always)]
     fn total(&self, first: C, second: C) -> C

@@ -1,7 +1,7 @@
 use alloc::vec::Vec;
 use core::fmt;
 
-use super::terms::{Kept, Term, eval_block, eval_pdf_block, limited, pdf_block, sample_block};
+use super::terms::{Kept, Term, Terms, limited};
 use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::error::{ParameterError, range};
@@ -151,11 +151,11 @@ where
     }
 
     fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, C>) {
-        eval_block(&self.terms, pairs, values);
+        Terms(&self.terms).eval_block(pairs, values);
     }
 
     fn pdf_block(&self, pairs: PairBlock<'_, T>, pdf: &mut Plane<T>) {
-        pdf_block(&self.terms, pairs, pdf);
+        Terms(&self.terms).pdf_block(pairs, pdf);
     }
 
     fn eval_pdf_block(
@@ -164,11 +164,11 @@ where
         values: &mut ColorBlock<T, C>,
         pdf: &mut Plane<T>,
     ) {
-        eval_pdf_block(&self.terms, pairs, values, pdf);
+        Terms(&self.terms).eval_pdf_block(pairs, values, pdf);
     }
 
     fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, C>) {
-        sample_block(&self.terms, draws, samples);
+        Terms(&self.terms).sample_block(draws, samples);
     }
 }
 

@@ -4,11 +4,10 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::expr::Expr;
+use super::expr::{Expr, ExprVec3};
 use super::graph::input;
 use super::simplify::component;
 use super::value::Width;
-use super::vector::ExprVec3;
 
 mod sealed {
     /// What a type of this crate promises.

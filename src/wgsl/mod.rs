@@ -47,11 +47,9 @@ mod simplify;
 #[cfg(test)]
 mod tests;
 mod value;
-mod vector;
 
 pub use error::ShaderError;
-pub use expr::{Expr, ExprMask};
+pub use expr::{Expr, ExprMask, ExprVec3};
 pub use function::{Answer, Argument, Arguments};
 pub use module::Module;
 pub use parameters::{Binding, Field, Parameters, Uniforms};
-pub use vector::ExprVec3;

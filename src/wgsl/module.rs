@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use core::fmt::{self, Write};
 
 use super::error::ShaderError;
-use super::expr::Expr;
+use super::expr::{Expr, ExprVec3};
 use super::function::{Answer, Arguments};
 use super::graph::{Graph, input, session};
 use super::literal::LARGEST;
@@ -17,7 +17,6 @@ use super::prelude::Function;
 use super::print::{Body, print};
 use super::simplify::component;
 use super::value::Width;
-use super::vector::ExprVec3;
 use crate::brdf::{Brdf, Sample};
 use crate::quadrature::{LATTICE, ROW, STEP};
 

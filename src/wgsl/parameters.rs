@@ -8,12 +8,11 @@ use alloc::vec::Vec;
 use glam::DVec3;
 
 use super::error::ShaderError;
-use super::expr::Expr;
+use super::expr::{Expr, ExprVec3};
 use super::graph::input;
 use super::name::checked;
 use super::simplify::component;
 use super::value::{Value, Width};
-use super::vector::ExprVec3;
 
 /// Where a shader finds its uniform buffer: `@group` and `@binding`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -192,6 +192,17 @@ fn answers_have_known_values() {
     close(&format!("{lambert}}}"), "albedo", &[1.0, 0.5, 0.0]);
     close(&format!("{lambert}, \"u\": [0.5, 0.25]}}"), "weight", &[1.0, 0.5, 0.0]);
     close(r#"{"fresnel": {"dielectric": {"ior": 1.5}}, "cos": 1}"#, "reflectance", &[0.04; 3]);
+    close(r#"{"fresnel": {"dielectric": {"ior": 1.5}}}"#, "average", &[0.0917779593423512; 3]);
+    close(
+        r#"{"optics": {"chain": [{"polarizer": 0}, {"rotation": 0.5}]}, "stokes": [2, 0, 0, 0]}"#,
+        "stokes",
+        &[1.0, 1_f64.cos(), -1_f64.sin(), 0.0],
+    );
+    close(
+        r#"{"optics": {"retarder": {"retardance": 1.5707963267948966}}, "stokes": [1, 0, 1, 0]}"#,
+        "stokes",
+        &[1.0, 0.0, 0.0, 1.0],
+    );
     close(
         r#"{"distribution": {"beckmann": {"roughness": 0.5}}, "h": [0, 0, 1]}"#,
         "density",
@@ -345,9 +356,48 @@ fn errors_say_what_and_where_and_what_is_allowed() {
         ),
     ] {
         match message {
-            Some(message) => assert_eq!(error(question), message),
+            Some(message) => assert_eq!(error(question), message, "{question}"),
             None => assert_eq!(ask_all(question.as_bytes(), Precision::Double).0.len(), 0),
         }
+    }
+    for (question, message) in [
+        (
+            r#"{"mueller": {"lambert": {"albedo": 0.5}}, "wi": [0, 0, 1], "wo": [0, 0, 1]}"#,
+            "mueller: the model must consist of facets with a Fresnel term that knows amplitudes",
+        ),
+        (
+            r#"{"surface": {"interface": {"to": 1.5}}, "cos": 0}"#,
+            "cos must be above 0 and at most 1",
+        ),
+        (
+            r#"{"surface": {"interface": {"to": 0}}, "cos": 1}"#,
+            "surface: interface: to must be between",
+        ),
+        (
+            r#"{"surface": {"interface": {"to": "Au"}}, "cos": 1}"#,
+            "surface: an index is n, [n, k], {\"eta\": n, \"k\": k} or {\"material\": \"Au\"}",
+        ),
+        (
+            r#"{"surface": {"interface": {"to": {"material": "Xx"}}}, "cos": 1}"#,
+            "surface: interface.to.material: no material is called",
+        ),
+        (
+            r#"{"surface": {"plates": {"index": 1.5, "count": 0}}, "cos": 1}"#,
+            "surface: plates: count must be between 1 and",
+        ),
+        (
+            r#"{"surface": {"interface": {"to": 1.5}}, "cos": 1, "wavelength": 0}"#,
+            "wavelength must be between 1 and 1e9, not 0",
+        ),
+        (r#"{"optics": {"lens": 1}}"#, "optics: unknown variant `lens`"),
+        (
+            r#"{"optics": {"rotation": 1}, "stokes": [1, 1, 1, 0]}"#,
+            "stokes must have an I of at least",
+        ),
+        (r#"{"optics": {"rotation": 1}, "cos": 1}"#, "a question has the keys"),
+    ] {
+        let error = error(question);
+        assert!(error.starts_with(message), "{question}: {error}");
     }
     // One thing at a time.
     for question in [

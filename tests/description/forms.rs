@@ -6,7 +6,7 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub(crate) const FRESNEL: [&str; 14] = [
+pub(crate) const FRESNEL: [&str; 18] = [
     r#"{"constant":0.5}"#,
     r#"{"constant":[0.25,0.5,1]}"#,
     r#"{"dielectric":{"ior":1.5}}"#,
@@ -21,6 +21,10 @@ pub(crate) const FRESNEL: [&str; 14] = [
     r#"{"cook":{"f0":0.2,"light":[0.5,1,2]}}"#,
     r#"{"cook":{"f0":0.2,"light":0.5,"ior":2.5}}"#,
     r#"{"cook":{"f0":0.2,"light":0.5,"ior":[0.2,3]}}"#,
+    r#"{"stack":{"layers":[],"substrate":{"material":"Au"}}}"#,
+    r#"{"stack":{"outside":1.33,"layers":[{"index":[2.4,0.01],"thickness":40}],"substrate":{"eta":[2.7,2.4,2.1],"k":3},"wavelength":[600,550,450]}}"#,
+    r#"{"belcour_barla":{"film":1.33,"thickness":300,"substrate":1}}"#,
+    r#"{"belcour_barla":{"film":1.33,"thickness":300,"substrate":{"eta":0.5,"k":2.5},"outside":1.1}}"#,
 ];
 
 pub(crate) const DISTRIBUTIONS: [&str; 9] = [

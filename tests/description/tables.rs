@@ -58,6 +58,10 @@ fn example(parameter: &Parameter) -> Value {
             let (_, form) = forms().find(of_part).expect("a form");
             whole(form, values(form))
         }
+        Kind::List(parameters) => {
+            let keys = parameters.iter().map(|it| (it.name.to_owned(), example(it)));
+            json!([Value::Object(keys.collect())])
+        }
         Kind::Flag => json!(true),
         Kind::Word(words) => json!(words[0]),
         Kind::Text => json!("Au"),
@@ -201,6 +205,40 @@ fn every_value_has_its_type() {
                 let message = ": invalid type: string \"red\", expected a number at";
                 refuse(json!(list), &format!("[{}]{message}", most - 1));
             }
+            Kind::Medium(..) => {
+                let expected = "expected a number, a list of 2 numbers, or an object with the keys \
+                                `eta` and `k` or the key `material` at";
+                refuse(json!(null), &format!(": invalid type: null, {expected}"));
+                refuse(json!("Au"), &format!(": invalid type: string \"Au\", {expected}"));
+                refuse(
+                    json!([1]),
+                    ": invalid length 1, expected a number or a list of 2 numbers at",
+                );
+                refuse(json!([1, 1, 1]), ": invalid length, more than 2, expected a number or a");
+                refuse(
+                    json!([1, "red"]),
+                    "[1]: invalid type: string \"red\", expected a number at",
+                );
+                refuse(json!({}), ".material: this key is missing");
+                refuse(json!({"eta": 1}), ".k: this key is missing");
+                refuse(json!({"k": 1}), ".eta: this key is missing");
+                refuse(json!({"eta": 1, "k": [0, 0, -1]}), ".k[2] must be between 0 and 10000");
+                refuse(json!({"n": 1}), ".n: unknown name, expected one of `eta`, `k`, `material`");
+                let both = json!({"eta": 1, "k": 0, "material": "Au"});
+                refuse(both, ".material: `material` must be the only key of its object");
+            }
+            Kind::List(_) => {
+                refuse(json!(0), ": invalid type: integer `0`, expected a list of layers at");
+                refuse(
+                    json!([0]),
+                    "[0]: invalid type: integer `0`, expected an object with the keys",
+                );
+                refuse(json!([{"index": 1}]), "[0].thickness: this key is missing");
+                let thick = json!([{"index": 1, "thickness": 1}, {"index": 1, "thickness": -1}]);
+                refuse(thick, "[1].thickness must be between 0 and 1e9, not -1");
+                let many = vec![json!({"index": 1, "thickness": 1}); 65];
+                refuse(json!(many), ": number of layers must be between 0 and 64, not 65");
+            }
             Kind::Flag => refuse(json!(0), ": invalid type: integer `0`, expected a boolean at"),
             Kind::Text => refuse(json!(0), ": invalid type: integer `0`, expected a text at"),
             Kind::Word(words) => {
@@ -241,6 +279,7 @@ fn every_key_is_given_once_or_has_its_default() {
             Some(default) => {
                 let value = match default {
                     Preset::Number(number) => json!(number),
+                    Preset::Color(numbers) => json!(numbers),
                     Preset::Flag(flag) => json!(flag),
                     Preset::Word(word) => json!(word),
                     // The distribution of the example is Beckmann's.
@@ -280,6 +319,14 @@ fn any_value(parameter: &'static Parameter, depth: u32) -> BoxedStrategy<Value> 
     };
     match parameter.kind {
         Kind::Part(part) => any_form(part, depth),
+        Kind::List(parameters) => {
+            let keys = parameters
+                .iter()
+                .map(|it| any_value(it, depth).prop_map(|value| (it.name.to_owned(), value)));
+            let object =
+                keys.collect::<Vec<_>>().prop_map(|keys| Value::Object(keys.into_iter().collect()));
+            proptest::collection::vec(object, 0..3).prop_map(Value::from).boxed()
+        }
         Kind::Flag => any::<bool>().prop_map(Value::from).boxed(),
         Kind::Text => proptest::sample::select(vec!["Au", "copper"]).prop_map(Value::from).boxed(),
         // Smith's shadowing is not known for every distribution.

@@ -17,6 +17,8 @@ mod hemisphere;
 mod known_failures;
 mod lobes;
 mod microfacet;
+mod polarization;
+mod polarized_facets;
 mod signs;
 mod spectra;
 mod sums;

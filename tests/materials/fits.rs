@@ -7,6 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::LazyLock;
 
+use brdf::Brdf;
 use brdf_checks::fits::family::Family::{self, Beckmann, BlinnPhong, Ggx, Lambert, OrenNayar};
 use brdf_checks::fits::measured::{Point, direction};
 use brdf_checks::fits::{self, Row};
@@ -178,7 +179,7 @@ fn the_hue_of_a_colour_shifting_film_changes_more_than_the_models_can() {
 #[test]
 fn duller_materials_are_rougher() {
     for family in [Beckmann, Ggx] {
-        let roughness = |key: &str| row(key).fit(family).values[6];
+        let roughness = |key: &str| row(key).fit(family).values()[6];
         let films = LOBES.map(roughness);
         assert!(roughness("paper_white") > roughness("colodur_napoli_4f"));
         assert!(films.iter().all(|film| roughness("colodur_napoli_4f") > 3.0 * film));

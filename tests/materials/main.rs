@@ -4,6 +4,7 @@
 mod colorimetry;
 mod colours;
 mod ellipsometry;
+mod fit_parameters;
 mod fits;
 mod fresnel_reference;
 mod generate;

@@ -2,8 +2,13 @@
 
 #[path = "../../examples/tables/bake.rs"]
 mod bake;
+#[path = "../../examples/tables/chart.rs"]
+mod chart;
 #[path = "../../examples/tables/file.rs"]
 mod file;
+#[allow(dead_code, reason = "words that only the gallery needs")]
+#[path = "../../examples/gallery/lettering.rs"]
+mod lettering;
 
 use std::error::Error;
 
@@ -50,10 +55,16 @@ fn the_file_is_as_described() {
 fn the_picture_has_scale_in_red_and_bias_in_green() -> Result<(), Box<dyn Error>> {
     let path = std::env::temp_dir().join(format!("brdf-tables-{}.png", std::process::id()));
     let row = vec![ScaleAndBias { scale: 1.0, bias: 0.0 }, ScaleAndBias { scale: 0.0, bias: 0.2 }];
-    file::picture(&[row], &path)?;
+    chart::draw(&[row.clone(), row], &path)?;
     let picture = image::open(&path)?.into_rgb8();
     std::fs::remove_file(&path)?;
-    assert_eq!(picture.dimensions(), (2, 1));
-    assert_eq!((picture[(0, 0)].0, picture[(1, 0)].0), ([255, 0, 0], [0, 51, 0]));
+    // Two cells beside each other, each half as wide as the table is high, and axes around them.
+    let pixels = |color: [u8; 3]| picture.pixels().filter(|pixel| pixel.0 == color).count();
+    assert_eq!((pixels([255, 0, 0]), pixels([0, 51, 0])), (256 * 512, 256 * 512));
+    let left_of = |color: [u8; 3]| {
+        picture.enumerate_pixels().filter(|(.., pixel)| pixel.0 == color).map(|(x, ..)| x).min()
+    };
+    assert!(left_of([255, 0, 0]) < left_of([0, 51, 0]));
+    assert!(pixels([34; 3]) > 100, "words and ticks");
     Ok(())
 }

@@ -34,6 +34,12 @@ fn albedo_keeps_its_promise() {
     }
 }
 
+/// How far the cubature is off, relative to the albedo. What it says of its error is an estimate, too
+/// small where a kink of V-cavities falls into a cell: for Beckmann's distribution of roughness 1 at 0°
+/// the albedo is 0.45344683, it finds 0.45343056 and says 2·10⁻⁶; for the wide lobe of 1977 it is off by
+/// 2.8·10⁻⁵. The module `albedo` compares with a reference that is cut at the kinks.
+pub(crate) const CUBATURE: f64 = 3e-5;
+
 /// `albedo` against cubature of `eval`: closed forms and integrals on a line to 10⁻⁷, the integral over
 /// facets of microfacet models to the 10⁻⁶ that they promise.
 #[test]
@@ -41,16 +47,15 @@ fn albedo_is_the_integral() {
     for entry in models::double() {
         for theta in angles(6) {
             let wo = from_spherical(theta, 0.7);
-            let integral = albedo(&*entry.model, wo, 3e-6);
+            let integral = albedo(&*entry.model, wo, 1e-5);
             let error = (entry.model.albedo(wo) - integral.value).abs().max_element();
-            let promised = entry.promises.albedo_error * integral.value.max_element().max(1.0);
+            let scale = integral.value.max_element().max(1.0);
+            let bound = (entry.promises.albedo_error + CUBATURE) * scale;
             let context =
                 format!("{} {:8.4}° {error:.1e}: {integral:?}", entry.name, theta.to_degrees());
             println!("{context}");
-            assert!(integral.error <= 3e-6, "{context}");
-            // What the cubature says of its error is an estimate: for a narrow lobe of gold at 75° it is
-            // 2.3 times as far off.
-            assert!(error <= promised + 3.0 * integral.error, "{context}");
+            assert!(integral.error <= 1e-5, "{context}");
+            assert!(error <= bound, "{context}");
         }
     }
 }

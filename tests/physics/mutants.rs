@@ -1,23 +1,28 @@
 //! Bugs seeded on purpose, one at a time: the checks find every one.
 
+use std::sync::LazyLock;
+
 use brdf_checks::models;
 use brdf_checks::mutation::files::{known, of_forms, survivors};
 use brdf_checks::mutation::list::mutants;
 use brdf_checks::mutation::mutant::{run, table};
 use brdf_checks::mutation::suite::Suite;
 
+/// What the checks reach, which takes as long to note as a dozen bugs to find.
+static SUITE: LazyLock<Suite> = LazyLock::new(Suite::recorded);
+
 /// Otherwise a rejected mutant would say nothing.
 #[test]
 fn the_checks_pass_where_nothing_is_wrong() {
-    let alarms = Suite::recorded().false_alarms();
+    let alarms = SUITE.false_alarms();
     assert!(alarms.is_empty(), "{alarms:#?}");
 }
 
 /// What a bug touches is known, so that not every model is looked at for every bug.
 #[test]
 fn models_reach_the_places_they_compute_at() {
-    let suite = Suite::recorded();
-    for outcome in run(&suite, mutants().filter(|mutant| mutant.family == "Lambert"), false) {
+    let suite = &*SUITE;
+    for outcome in run(suite, mutants().filter(|mutant| mutant.family == "Lambert"), false) {
         let place = outcome.mutant.place();
         assert!(suite.reaches(0, &place), "{outcome:?}");
         let reaching = (0..models::double().len()).filter(|&model| suite.reaches(model, &place));
@@ -27,7 +32,7 @@ fn models_reach_the_places_they_compute_at() {
 
 #[test]
 fn every_mutant_is_killed() {
-    let outcomes = run(&Suite::recorded(), mutants(), false);
+    let outcomes = run(&SUITE, mutants(), false);
     println!("{}", table(&outcomes));
     assert!(outcomes.len() >= 20);
     let alive: Vec<_> = outcomes.iter().filter(|outcome| !outcome.killed()).collect();
@@ -40,7 +45,8 @@ fn the_obvious_bugs_in_the_files_of_forms_are_found() {
     let files = of_forms();
     assert!(files.contains("src/diffuse/lambert.rs") && files.contains("src/fresnel/conductor.rs"));
     let known = |file: &str| known().iter().find(|known| known.file == file);
-    let suite = Suite::recorded();
+    let suite = &*SUITE;
+    let mut differ = Vec::new();
     for file in &files {
         let known = known(file);
         if known.is_some_and(|known| known.skipped.is_some()) {
@@ -51,11 +57,14 @@ fn the_obvious_bugs_in_the_files_of_forms_are_found() {
             .flat_map(|known| &known.survivors)
             .map(|survivor| (survivor.line.clone(), survivor.bug.clone()))
             .collect();
-        let mut got = survivors(&suite, file);
+        let mut got = survivors(suite, file);
         want.sort();
         got.sort();
-        assert_eq!(got, want, "{file}");
+        if got != want {
+            differ.push(format!("{file}: {got:#?} instead of {want:#?}"));
+        }
     }
+    assert!(differ.is_empty(), "{}", differ.join("\n"));
 }
 
 #[test]

@@ -11,6 +11,8 @@ use brdf_checks::measure::sampling::{
 use brdf_checks::models::{self, Promises};
 use rayon::prelude::*;
 
+use crate::energy::CUBATURE;
+
 /// Small enough for every day.
 const SIZE: Size = Size { pilot: 8_000, draws: 20_000, tolerance: 1.5e-7, budget: 300_000 };
 
@@ -63,12 +65,13 @@ fn samples_follow_the_density() {
 
 /// What the counts are held against adds up to ∫ pdf dω, which another cubature answers. Errors of
 /// 10⁻⁵ would add no more than 10⁶ · (10⁻⁵)²/p = 0.03 to the χ² of 10⁶ draws in cells of
-/// p = 1/256, whose standard deviation is 22.
+/// p = 1/256, whose standard deviation is 22; of 2·10⁻⁵ 0.1, where the density jumps within cells.
 #[test]
 fn expectations_leave_nothing_out() {
-    assert_all(|Case { sampling: Sampling { expected, mass, .. }, .. }| {
+    assert_all(|Case { sampling: Sampling { expected, mass, .. }, promises, .. }| {
         let error = expected - mass.value;
-        (error.abs() > 1e-5).then(|| format!("{error:e}, {mass:?}"))
+        let bound = if promises.jumps { 2e-5 } else { 1e-5 };
+        (error.abs() > bound).then(|| format!("{error:e}, {mass:?}"))
     });
 }
 
@@ -125,8 +128,8 @@ fn albedo_is_the_integral() {
     assert_all(|Case { sampling, promises, .. }| {
         let albedo = sampling.albedo.value;
         let error = (sampling.own_albedo - albedo).abs().max_element();
-        let promised = promises.albedo_error * albedo.max_element().max(1.0);
-        let bound = promised + sampling.albedo.error + 2.0 * sampling.excess().abs();
+        let promised = (promises.albedo_error + CUBATURE) * albedo.max_element().max(1.0);
+        let bound = promised + 2.0 * sampling.excess().abs();
         (error > bound).then(|| format!("{error:e} of {albedo}, {bound:e}"))
     });
 }

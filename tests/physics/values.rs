@@ -35,7 +35,6 @@ const WAITING: [&str; 24] = [
     "schlick_1994_sampling",
     "schlick_A_normaliser",
     "schlick_rational",
-    "thin_film_belcour_barla",
     "ward",
 ];
 

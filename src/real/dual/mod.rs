@@ -42,9 +42,9 @@ use super::vector3::Vector3;
 /// - Where a root, an arc or a logarithm has an infinite slope, it counts as 0. The angle of the
 ///   viewer is such a root at the normal, where all that depends on it is even. Next to the critical
 ///   angle of a Fresnel term the slope is large, at it 0.
-/// - A derivative too large for its number is infinite, and none where it meets another or a 0: values
-///   that grow like the inverse of a cosine have such where that is below 10⁻¹⁰⁰ in `f64`, 10⁻¹² in
-///   `f32`.
+/// - A derivative too large for its number is infinite, or none where it meets another: that of a value
+///   that grows like the inverse of a cosine, by the direction, is so at the very horizon (not yet at
+///   cosines of 10⁻¹⁰ in `f32`, of 10⁻¹⁰⁰ in `f64`).
 /// - A saturated value, one that would exceed the largest number, does not change.
 /// - The result of an iteration has the derivatives of the equation that it solves
 ///   ([`as_solution_of`](Real::as_solution_of)), the albedo by samples those of the integral, not of
@@ -66,8 +66,8 @@ use super::vector3::Vector3;
 /// What is answered there is one of the sides, finite where the answer is.
 ///
 /// # Cost
-/// About that of 4 values for one derivative, 7 for four and 15 for eight. Batches of duals run, but
-/// they are no faster than single calls.
+/// About that of 4 values for one derivative and 7 for four; for eight two passes of four are better.
+/// Batches of duals run, but they are no faster than single calls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<T, const N: usize> {
     /// The number itself.
@@ -104,19 +104,21 @@ impl<T: Real, const N: usize> Dual<T, N> {
     }
 
     /// A function of this number from its value and its slope there. Where it is flat, an infinite
-    /// derivative of the number does not matter.
+    /// derivative of the number does not matter, and an infinite slope not where the number is still.
     #[inline(always)]
     fn chain(self, value: T, slope: T) -> Self {
-        let flat = slope.abs().le(T::zero());
-        let chained = |derivative| T::select(flat, T::zero(), derivative * slope);
+        let (zero, largest) = (T::zero(), T::max_finite());
+        let flat = slope.abs().le(zero);
+        let slope = slope.clamp(-largest, largest);
+        let chained = |derivative| T::select(flat, zero, derivative * slope);
         Self { value, derivatives: each(self.derivatives, chained) }
     }
 
     /// A function of two numbers from its value and its slopes along both.
     #[inline(always)]
     fn chain_two(self, other: Self, value: T, [slope, other_slope]: [T; 2]) -> Self {
-        let sum = |own, theirs| own * slope + theirs * other_slope;
-        Self { value, derivatives: zip(self.derivatives, other.derivatives, sum) }
+        let (own, theirs) = (self.chain(value, slope), other.chain(value, other_slope));
+        Self { value, derivatives: zip(own.derivatives, theirs.derivatives, |a, b| a + b) }
     }
 }
 

@@ -199,7 +199,7 @@ pub fn record(run: impl FnOnce()) -> BTreeSet<Place> {
     RECORD.set(Recorder::new());
     WATCHED.set(EVERYWHERE);
     run();
-    let places = RECORD.with_borrow_mut(|recorder| std::mem::take(&mut recorder.places));
+    let places = RECORD.with_borrow_mut(Recorder::places);
     // A left side that equals the result before is a coincidence where there are no more links.
     let most = |place: &Place| u8::try_from(place.links().max(1) - 1).unwrap_or(LAST_LINK);
     places.into_iter().map(|place| Place { link: place.link.min(most(&place)), ..place }).collect()
@@ -211,32 +211,37 @@ pub fn count(run: impl FnOnce()) -> BTreeMap<Operation, u32> {
     RECORD.set(Recorder::new());
     WATCHED.set(EVERYWHERE);
     run();
-    RECORD.with_borrow_mut(|recorder| std::mem::take(&mut recorder.counts))
+    RECORD.with_borrow_mut(|recorder| recorder.counts.drain(..).flatten().collect())
 }
 
-/// The places reached, and the last result at each line, column and operation.
+/// What was done at each line, column and operation.
 struct Recorder {
-    counts: BTreeMap<Operation, u32>,
-    places: BTreeSet<Place>,
-    last: Vec<Last>,
+    /// How often each operation was done, in the order of the operations.
+    counts: Vec<Option<(Operation, u32)>>,
+    last: Vec<Option<Last>>,
+    /// Of the places that had to leave their slot.
+    before: BTreeMap<(Spot, Operation), [u32; LINKS]>,
 }
+
+/// File, line and column.
+type Spot = (&'static str, u32, u32);
+const LINKS: usize = LAST_LINK as usize + 1;
 
 #[derive(Clone, Copy)]
 struct Last {
-    id: u64,
+    place: (Spot, Operation),
     result: u64,
     link: u8,
-    /// One bit for each link already noted.
-    noted: u8,
+    /// How often each link was done.
+    done: [u32; LINKS],
 }
 
 impl Recorder {
     const fn new() -> Self {
-        Self { counts: BTreeMap::new(), places: BTreeSet::new(), last: Vec::new() }
+        Self { counts: Vec::new(), last: Vec::new(), before: BTreeMap::new() }
     }
 
-    /// Two places that share a slot push each other out and are entered anew, which costs time and
-    /// changes nothing.
+    /// Two places that share a slot push each other out, which costs time and changes nothing.
     fn note(
         &mut self,
         caller: &'static Location<'static>,
@@ -245,20 +250,44 @@ impl Recorder {
         result: f64,
     ) {
         const SLOTS: usize = 1 << 14;
-        *self.counts.entry(operation).or_insert(0) += 1;
-        self.last.resize(SLOTS, Last { id: NOWHERE, result: 0, link: LAST_LINK, noted: 0 });
-        let (file, line, column) = (caller.file(), caller.line(), caller.column());
+        if self.counts.len() <= operation as usize {
+            self.counts.resize(operation as usize + 1, None);
+        }
+        self.counts[operation as usize].get_or_insert((operation, 0)).1 += 1;
+        self.last.resize(SLOTS, None);
+        let spot @ (file, line, column) = (caller.file(), caller.line(), caller.column());
         let number = key(line, column) * 64 + operation as u64;
-        let id = number.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ file.as_ptr().addr() as u64;
+        let id = number.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ file.len() as u64;
         let slot = &mut self.last[(id.wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 50) as usize];
-        if slot.id != id {
-            *slot = Last { id, result: 0, link: LAST_LINK, noted: 0 };
+        let fresh = Last { place: (spot, operation), result: 0, link: LAST_LINK, done: [0; LINKS] };
+        if let Some(other) = slot.take_if(|last| last.place != fresh.place) {
+            add(&mut self.before, &other);
         }
-        slot.link = link_after((slot.result, slot.link), left);
-        slot.result = result.to_bits();
-        if slot.noted >> slot.link & 1 == 0 && file.starts_with("src/") {
-            slot.noted |= 1 << slot.link;
-            self.places.insert(Place { file, line, column, operation, link: slot.link });
-        }
+        let last = slot.get_or_insert(fresh);
+        last.link = link_after((last.result, last.link), left);
+        last.result = result.to_bits();
+        last.done[usize::from(last.link)] += 1;
+    }
+
+    /// The places of the crate. The links of a chain are all done equally often; a left side that
+    /// equals the result before more seldom than not is a coincidence.
+    fn places(&mut self) -> BTreeSet<Place> {
+        let mut done = std::mem::take(&mut self.before);
+        self.last.drain(..).flatten().for_each(|last| add(&mut done, &last));
+        let of_crate = done.into_iter().filter(|(((file, ..), _), _)| file.starts_with("src/"));
+        of_crate
+            .flat_map(|(((file, line, column), operation), done)| {
+                let links = (1..LINKS).take_while(move |&link| 2 * done[link] > done[link - 1]);
+                let links = [0].into_iter().chain(links).map(|link| link as u8);
+                links.map(move |link| Place { file, line, column, operation, link })
+            })
+            .collect()
+    }
+}
+
+fn add(done: &mut BTreeMap<(Spot, Operation), [u32; LINKS]>, last: &Last) {
+    let sums = done.entry(last.place).or_insert([0; LINKS]);
+    for (sum, count) in sums.iter_mut().zip(last.done) {
+        *sum += count;
     }
 }

@@ -269,12 +269,14 @@ impl Derivatives {
                 continue;
             }
             let values = moved.each_ref().map(|moved| moved.as_ref().map(|moved| moved[index]));
-            let Difference { slope, error } = steps.difference(&values);
+            let Difference { slope, error, sides } = steps.difference(&values);
             // Many are 0 and come out as rounding, and the smallest numbers have no digits.
             let least = (1e-3 * here.abs() / by.size).max(1e-280);
             let scale = got.abs().max(slope.abs()).max(least);
             let decided = error <= 0.25 * LARGEST * scale;
-            let apart = (got - slope).abs();
+            // Next to a kink the slope is that of the nearer side, on it the mean of both.
+            let apart = [slope].into_iter().chain(sides.into_iter().flatten());
+            let apart = apart.map(|slope| (got - slope).abs()).fold(f64::INFINITY, f64::min);
             let relative = if decided { apart } else { (apart - 4.0 * error).max(0.0) } / scale;
             self.compared += 1;
             self.undecided += usize::from(!decided);

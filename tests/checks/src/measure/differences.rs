@@ -16,6 +16,16 @@ pub struct Steps([f64; STEPS]);
 pub struct Difference {
     pub slope: f64,
     pub error: f64,
+    /// The slopes to both sides, if they differ: there is a kink nearer than the smallest step.
+    pub sides: Option<[f64; 2]>,
+}
+
+impl Difference {
+    const NONE: Self = Self { slope: f64::NAN, error: f64::INFINITY, sides: None };
+
+    fn best(self, other: Self) -> Self {
+        if other.error < self.error { other } else { self }
+    }
 }
 
 impl Steps {
@@ -42,20 +52,22 @@ impl Steps {
         let (first, noise) = (self.first(here, values), self.noise(here, values));
         let (mut central, mut forward, mut backward) = (Vec::new(), Vec::new(), Vec::new());
         for (pair, step) in self.pairs(values).skip(first) {
-            match pair {
-                [Some(above), Some(below)] => central.push([(above - below) / (2.0 * step), step]),
-                [Some(above), None] => forward.push([(above - here) / step, step]),
-                [None, Some(below)] => backward.push([(here - below) / step, step]),
-                _ => {}
+            let [above, below] = [pair[0], pair[1]];
+            forward.extend(above.map(|above| [(above - here) / step, step]));
+            backward.extend(below.map(|below| [(here - below) / step, step]));
+            if let (Some(above), Some(below)) = (above, below) {
+                central.push([(above - below) / (2.0 * step), step]);
             }
         }
-        // A parameter is free to both sides, or at an end of its range.
-        let one_sided = [forward, backward, central.clone()].into_iter().map(|d| (d, 1));
-        let all = one_sided
-            .chain([(central, 2)])
-            .map(|(slopes, order)| extrapolated(&slopes, noise, order));
-        let none = Difference { slope: f64::NAN, error: f64::INFINITY };
-        all.fold(none, |best, next| if next.error < best.error { next } else { best })
+        let [forward, backward] = [forward, backward].map(|side| extrapolated(&side, noise, 1));
+        let both = limit(&central, noise);
+        if values.contains(&None) {
+            // A parameter at or next to an end of its range.
+            return both.best(forward).best(backward);
+        }
+        let differ =
+            (forward.slope - backward.slope).abs() > 16.0 * (forward.error + backward.error);
+        Difference { sides: differ.then_some([forward.slope, backward.slope]), ..both }
     }
 
     /// The values to both sides, with their step.
@@ -91,12 +103,21 @@ impl Steps {
     }
 }
 
+/// The limit of slopes to both sides. Where larger steps reach beyond a kink they may agree by chance on
+/// what the smaller ones contradict.
+fn limit(slopes: &[[f64; 2]], noise: f64) -> Difference {
+    let all = |slopes| extrapolated(slopes, noise, 1).best(extrapolated(slopes, noise, 2));
+    let (far, near) = (all(slopes), all(&slopes[slopes.len() / 2..]));
+    let contradict = (far.slope - near.slope).abs() > 4.0 * (far.error + near.error);
+    if contradict { near } else { far }
+}
+
 /// The limit of slopes for steps that shrink by the ratio, whose error has powers of the step that
 /// are multiples of the order, by Richardson's extrapolation, as far as it converges.
 ///
 /// The noise of the values bounds what they can tell.
 fn extrapolated(slopes: &[[f64; 2]], noise: f64, order: i32) -> Difference {
-    let mut best = Difference { slope: f64::NAN, error: f64::INFINITY };
+    let mut best = Difference::NONE;
     let mut row: Vec<f64> = Vec::new();
     for [slope, step] in slopes {
         let rounding = noise / step;
@@ -115,7 +136,7 @@ fn extrapolated(slopes: &[[f64; 2]], noise: f64, order: i32) -> Difference {
             let apart = [left, above, *before].map(|other| (entry - other).abs());
             let error = apart.into_iter().fold(rounding, f64::max);
             if error < best.error {
-                best = Difference { slope: entry, error };
+                best = Difference { slope: entry, error, sides: None };
             }
         }
         row = next;

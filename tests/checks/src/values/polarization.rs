@@ -1,13 +1,18 @@
 //! Amplitudes, Jones and Mueller matrices, plates and films.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use brdf::colorimetry::xyz_to_linear_srgb;
 use brdf::polarization::{
     Amplitudes, Complex, Interface, Jones, Layer, Layers, Mueller, Plates, Stokes,
 };
+use brdf::{Beckmann, BelcourBarla, Brdf, Constant, CookTorrance, Fresnel, from_spherical};
+use glam::DVec3;
 
 use super::reference::{Case, each};
-use super::{Check, Number, Verdict};
+use super::{Check, Number, Verdict, near, plain, vector};
 
-pub(super) fn all<T: Number>() -> [Check; 9] {
+pub(super) fn all<T: Number>() -> [Check; 10] {
     [
         ("amplitudes of dielectrics", dielectrics::<T>),
         ("amplitudes of conductors", conductors::<T>),
@@ -18,6 +23,7 @@ pub(super) fn all<T: Number>() -> [Check; 9] {
         ("coloured conductors in polarised light", tint::<T>),
         ("pile of plates", plates::<T>),
         ("thin film", film::<T>),
+        ("thin film over the spectrum", belcour_barla::<T>),
     ]
 }
 
@@ -54,8 +60,8 @@ fn same_matrix<T: Number>(case: &Case<'_>, got: &Mueller<T>) -> Verdict {
 /// An angle up to whole turns.
 fn same_angle<T: Number>(case: &Case<'_>, key: &str, got: T) -> Verdict {
     let (got, want) = (got.into(), case.output(key).as_f64().expect("an angle"));
-    let turns = ((got - want) / std::f64::consts::TAU).round();
-    case.compare(key, got - turns * std::f64::consts::TAU, want)
+    let turns = ((got - want) / TAU).round();
+    case.compare(key, got - turns * TAU, want)
 }
 
 fn dielectrics<T: Number>() -> Verdict {
@@ -167,7 +173,7 @@ fn tint<T: Number>() -> Verdict {
         let light = found.mueller_reflection() * Stokes::linear(T::one(), pol);
         case.same("R", light.i)?;
         // An ideal mirror turns the azimuth to −pol; the analyser stands across that.
-        let analyser = Jones::polarizer(T::lit(std::f64::consts::FRAC_PI_2) - pol);
+        let analyser = Jones::polarizer(T::lit(FRAC_PI_2) - pol);
         let field = [Complex::real(pol.cos()), Complex::real(pol.sin())];
         let crossed = analyser.apply(found.reflection().apply(field));
         case.same("crossed", Stokes::of_field(crossed).i)
@@ -206,5 +212,30 @@ fn film<T: Number>() -> Verdict {
             case.same("R", stack.reflectance(cos))?;
         }
         Ok(())
+    })
+}
+
+fn belcour_barla<T: Number>() -> Verdict {
+    each("thin_film_belcour_barla", |case| {
+        let substrate = [case.input::<T>("n3"), case.input("k3")];
+        let (film, outside) = (case.input("n2"), case.input("n1"));
+        let film: BelcourBarla<T::Vec3, T> =
+            BelcourBarla::new(film, case.input("d_nm"), substrate, outside)?;
+        let found = film.xyz(cos(case, "theta"));
+        for (place, got) in found.into_iter().enumerate() {
+            let want = case.output("xyz")[place].as_f64().expect("a number");
+            case.compare("xyz", got, want)?;
+        }
+        let found = DVec3::from_array(found.map(Into::into));
+        let want = xyz_to_linear_srgb(found) / xyz_to_linear_srgb(DVec3::ONE);
+        let seen = plain::<T>(film.reflectance(cos(case, "theta")));
+        near("colour", (seen - want).abs().max_element(), 0.0, 1e-14)?;
+        // On facets what is below 0 counts as 0.
+        let theta = case.number("theta");
+        let [wi, wo] = [0.0, PI].map(|phi| vector::<T>(from_spherical(theta, phi)));
+        let facets = Beckmann::new(T::lit(0.3))?;
+        let white: f64 = CookTorrance::new(facets, Constant::new(T::one())?).eval(wi, wo).into();
+        let found = plain::<T>(CookTorrance::new(facets, film).eval(wi, wo));
+        near("facets", (found - seen.max(DVec3::ZERO) * white).abs().max_element(), 0.0, 1e-12)
     })
 }

@@ -112,7 +112,8 @@ fn shaders_are_as_exact_as_single_precision() {
             // The largest errors stand where a sample jumps or grazes, and depend on how the bits fall.
             for (part, more) in [(0.5, 1.0), (0.9, 1.0), (0.99, 1.0), (0.999, 1.25)] {
                 let [got, own] = [quantile(got, part), quantile(own, part)];
-                if !(got <= more * allowed(own)) {
+                let within = got <= more * allowed(own);
+                if !within {
                     failures.push(format!("{}, {what} at {part}: {got:e}, {own:e}", row.name));
                 }
             }

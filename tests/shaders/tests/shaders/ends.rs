@@ -1,6 +1,7 @@
 //! Odd inputs, and parameters at the ends of their ranges.
 
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 
 use brdf::description::BrdfDescription;
 use brdf::wgsl::{Binding, Module};
@@ -83,7 +84,7 @@ fn odd_inputs_are_harmless() {
 
 /// Numbers at which some parameter's range ends, and some between.
 const NUMBERS: [f64; 16] = [
-    0.0, 1e-30, 1e-8, 1e-5, 2e-4, 1e-4, 1e-2, 0.5, 0.999999, 1.0, 1.57, 1.5707963, 1e4, 1e5, 1e8,
+    0.0, 1e-30, 1e-8, 1e-5, 2e-4, 1e-4, 1e-2, 0.5, 0.999999, 1.0, 1.57, FRAC_PI_2, 1e4, 1e5, 1e8,
     1e10,
 ];
 

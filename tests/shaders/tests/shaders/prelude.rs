@@ -182,7 +182,8 @@ fn every_function_is_as_exact_as_it_says() {
             own = own.max(error((function.single)(arguments[0], arguments[1]), arguments));
         }
         println!("{:15} {worst:6.2} ulp at {at:?}, crate {own:.2}", function.name);
-        if !(worst <= function.bound) {
+        let within = worst <= function.bound;
+        if !within {
             failures.push(format!("{}: {worst} ulp at {at:?}", function.name));
         }
     }
