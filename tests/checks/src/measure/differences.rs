@@ -108,7 +108,7 @@ impl Steps {
 fn limit(slopes: &[[f64; 2]], noise: f64) -> Difference {
     let all = |slopes| extrapolated(slopes, noise, 1).best(extrapolated(slopes, noise, 2));
     let (far, near) = (all(slopes), all(&slopes[slopes.len() / 2..]));
-    let contradict = (far.slope - near.slope).abs() > 4.0 * (far.error + near.error);
+    let contradict = (far.slope - near.slope).abs() > 16.0 * (far.error + near.error);
     if contradict { near } else { far }
 }
 
