@@ -18,6 +18,9 @@ use crate::real::{Color, Real, Vector};
 /// or is no direction at all, every answer is zero. Answers are finite and never negative: a value
 /// too large for its number saturates at the largest finite one.
 ///
+/// Models go from thread to thread: a model in a `Box` or an `Arc` is one too, one in an `Rc` cannot be and
+/// answers by reference, `&*model`.
+///
 /// The trait is object safe:
 ///
 /// ```

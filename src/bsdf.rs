@@ -137,6 +137,13 @@ impl<T: Real, C: Color<T>> Lobes<T, C> {
         Self { reflected: lobe, transmitted: lobe }
     }
 
+    /// The powers of a beam, of lobes for importance.
+    #[must_use]
+    pub fn power(self) -> Power<C> {
+        let Self { reflected, transmitted } = self;
+        Power { reflectance: reflected.weight, transmittance: transmitted.weight }
+    }
+
     /// The lobes where the mask is true, none elsewhere.
     #[inline(always)]
     #[must_use]

@@ -70,8 +70,8 @@ impl<T: Real> Pair<T> {
     where
         T: Real<Vec3 = V>,
     {
-        let below = wo.z().lt(T::zero());
-        Self::new(turned_over::<T, _>(below, wi), turned_over::<T, _>(below, wo))
+        let (_, [wi, wo]) = facing::<T>(wi, wo);
+        Self::new(wi, wo)
     }
 
     /// [`sum`](Self::sum) alone.
@@ -183,6 +183,14 @@ pub(crate) fn turned_over<T: Real, V: Vector<T>>(mask: T::Mask, w: V) -> V {
     V::new(w.x(), w.y(), T::select(mask, -w.z(), w.z()))
 }
 
+/// Both directions as the side of `wo` sees them, mirrored where `wo` lies below the surface, and where
+/// it does.
+#[inline(always)]
+pub(crate) fn facing<T: Real>(wi: T::Vec3, wo: T::Vec3) -> (T::Mask, [T::Vec3; 2]) {
+    let below = wo.z().lt(T::zero());
+    (below, [turned_over::<T, _>(below, wi), turned_over::<T, _>(below, wo)])
+}
+
 /// A direction above the surface; the normal in the place of any other vector.
 #[inline(always)]
 pub(crate) fn above_or_normal<T: Real, V: Vector<T>>(w: V) -> V {
@@ -219,7 +227,8 @@ pub struct Refraction<V, M> {
 /// `w` is a unit vector that points away from the surface, `normal` the unit normal. `eta_above` and
 /// `eta_below`, both positive, are the indices on the side that the normal points to and on the
 /// other; `w` may lie on either side.
-/// T = (n₁₂ N·L − √(1 − n₁₂²(1 − (N·L)²))) N − n₁₂ L with N on the side of L and n₁₂ = n₁/n₂.
+/// T = (n₁₂ N·L − √(1 − n₁₂²(1 − (N·L)²))) N − n₁₂ L with N on the side of L and n₁₂ = n₁/n₂. Equal
+/// indices let light pass straight through.
 ///
 /// ```
 /// use brdf::refract;
@@ -239,21 +248,29 @@ pub fn refract<T: Real, V: Vector<T>>(
     eta_above: T,
     eta_below: T,
 ) -> Refraction<V, T::Mask> {
-    let zero = T::zero();
     let cos = Vector::dot(w, normal);
-    let from_below = cos.lt(zero);
+    let from_below = cos.lt(T::zero());
     let n12 = T::select(from_below, eta_below / eta_above, eta_above / eta_below);
     let facing = normal * T::select(from_below, T::lit(-1.0), T::one());
     // sin² from the vector product: 1 − cos² has no digits left near the normal.
     let sin_squared = Vector::length_squared(Vector::cross(w, normal));
-    let cos_t_squared = T::one() - n12 * n12 * sin_squared;
-    let total = cos_t_squared.lt(zero);
-    let cos_t = cos_t_squared.max(zero).sqrt();
+    let (cos_t, total) = refracted_cosine(cos, sin_squared, n12);
     let transmitted = facing * (n12 * cos.abs() - cos_t) - w * n12;
     Refraction {
         direction: V::select(total, reflect(w, normal), transmitted),
         total_internal_reflection: total,
     }
+}
+
+/// cosθ₂ by Snell's law from cosθ₁, sin²θ₁ and n₁/n₂, and where the reflection is total.
+///
+/// cos²θ₂ = 1 − n₁₂² sin²θ₁ as a change of cos²θ₁: nothing changes where the index does not.
+#[inline(always)]
+pub(crate) fn refracted_cosine<T: Real>(cos: T, sin_squared: T, n12: T) -> (T, T::Mask) {
+    let one = T::one();
+    let squared = cos.squared() + (one - n12) * (one + n12) * sin_squared;
+    // A root has no derivative at 0.
+    (squared.max(T::lit(1e-37)).sqrt(), squared.lt(T::zero()))
 }
 
 /// The angle of incidence in radians from which on all light is reflected, sinθ = n₂/n₁; π/2

@@ -1,8 +1,8 @@
-use super::side::never;
+use super::side::Viewer;
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
-use crate::direction::{above_or_normal, above_surface};
+use crate::direction::above_surface;
 use crate::fresnel::Fresnel;
-use crate::real::{Color, Lift, Mask, Real, Vector, lift};
+use crate::real::{Color, Lift, Real, Vector, lift};
 
 /// A smooth mirror: polished metal, a coated glass of which only the reflection counts.
 ///
@@ -74,26 +74,18 @@ impl<T: Real, F: Fresnel<T>> Bsdf<T> for Mirror<F> {
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, _: [T; 3], mode: TransportMode) -> BsdfSample<T, F::Color> {
+        let specular = above_surface::<T, _>(wo);
         let Lobe { wi, weight } = self.specular(wo, mode).reflected;
-        let specular = never::<T>().not();
-        let sample = BsdfSample { wi, weight, pdf: T::zero(), specular };
-        sample.only_where(above_surface::<T, _>(wo))
+        BsdfSample { wi, weight, pdf: T::zero(), specular }
     }
 
     #[inline(always)]
     fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, F::Color> {
-        let above = above_surface::<T, _>(wo);
-        let wo = above_or_normal::<T, _>(wo);
-        let mut lobes = Lobes::none(wo);
-        lobes.reflected = Lobe {
-            wi: Vector::new(T::zero() - wo.x(), T::zero() - wo.y(), wo.z()),
-            weight: self.fresnel.reflectance(wo.z().at_most(T::one())),
-        };
-        lobes.only_where(above)
+        let viewer = Viewer::<T>::above(wo);
+        viewer.mirror(self.fresnel.reflectance(viewer.wo.z().at_most(T::one())))
     }
 
     fn power(&self, wo: T::Vec3) -> Power<F::Color> {
-        let reflectance = self.specular(wo, TransportMode::Importance).reflected.weight;
-        Power { reflectance, transmittance: F::Color::splat(T::zero()) }
+        self.specular(wo, TransportMode::Importance).power()
     }
 }

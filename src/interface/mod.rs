@@ -8,6 +8,7 @@ mod crossing;
 mod mirror;
 mod opaque;
 mod plastic;
+mod refracted;
 mod rough;
 mod side;
 mod smooth;

@@ -1,7 +1,7 @@
 use core::f64::consts::FRAC_1_PI;
 
-use super::side::never;
-use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
+use super::side::{Viewer, never};
+use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::direction::{above_or_normal, above_surface, both_above};
 use crate::fresnel::{dielectric_average, split};
 use crate::parameter::model;
@@ -105,12 +105,8 @@ impl<T: Real, C: Color<T>> Bsdf<T> for Plastic<C, T> {
         let (zero, one) = (T::zero(), T::one());
         let above = above_surface::<T, _>(wo);
         let [reflected, leaving] = self.surface(wo);
-        let lobe = BsdfSample {
-            wi: self.specular(wo, mode).reflected.wi,
-            weight: C::splat(one),
-            pdf: zero,
-            specular: never::<T>().not(),
-        };
+        let wi = self.specular(wo, mode).reflected.wi;
+        let lobe = BsdfSample { wi, weight: C::splat(one), pdf: zero, specular: above };
         let wi = cosine_hemisphere([x, y]);
         let [_, entering] = self.surface(wi);
         let diffuse = BsdfSample {
@@ -126,15 +122,8 @@ impl<T: Real, C: Color<T>> Bsdf<T> for Plastic<C, T> {
 
     #[inline(always)]
     fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, C> {
-        let above = above_surface::<T, _>(wo);
-        let wo = above_or_normal::<T, _>(wo);
         let [reflected, _] = self.surface(wo);
-        let mut lobes = Lobes::none(wo);
-        lobes.reflected = Lobe {
-            wi: Vector::new(T::zero() - wo.x(), T::zero() - wo.y(), wo.z()),
-            weight: C::splat(reflected),
-        };
-        lobes.only_where(above)
+        Viewer::<T>::above(wo).mirror(C::splat(reflected))
     }
 
     fn power(&self, wo: T::Vec3) -> Power<C> {

@@ -1,8 +1,8 @@
 use super::crossed::RefractedShadowing;
-use super::crossing::Crossing;
+use super::refracted::Refracted;
 use super::side::{Viewer, never, refraction_scale};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
-use crate::direction::turned_over;
+use crate::direction::{facing, off_surface, refracted_cosine, turned_over};
 use crate::distribution::Smith;
 use crate::error::{ParameterError, range};
 use crate::fresnel::split;
@@ -143,23 +143,8 @@ lift! {
     RoughDielectric { distribution: part, shadowing: part, ior: number, white: color }
 }
 
-/// 1 + Λ up to which refracted light is followed: beyond it there is next to none.
-const HIDDEN: f64 = 1e9;
-
 /// Panels of the heights of visible normals in [`Bsdf::power`].
 const PANELS: u32 = 16;
-
-/// What of a crossing does not depend on its shadowing and on who sees it.
-#[derive(Clone, Copy)]
-struct Refracted<T: Real> {
-    crossing: Crossing<T>,
-    /// (1 − F) D times the spread of directions.
-    scale: T,
-    /// |N·w| + Λ(w) |N·w| of both, above and below.
-    seen: [T; 2],
-    /// 1 + Λ(w) of both.
-    hidden: [T; 2],
-}
 
 /// What happens on a facet with the normal `h`: the draws of both events.
 struct Draws<T: Real> {
@@ -190,53 +175,7 @@ where
 
     #[inline(always)]
     fn refracted(&self, wi: T::Vec3, wo: T::Vec3) -> Refracted<T> {
-        let crossing = Crossing::new(wi, wo, self.ior);
-        let [_, transmitted] = split(self.ior, crossing.cos_above);
-        let density = self.distribution.density_along(crossing.h);
-        let ends = [crossing.above, crossing.below];
-        let areas = ends.map(|w| self.distribution.lambda_cos(w));
-        let [above, below] = ends.map(|w| w.z());
-        let hidden = |area: T, cos: T| T::one() + (area / cos).min(T::lit(HIDDEN - 1.0));
-        Refracted {
-            crossing,
-            scale: (transmitted * crossing.spread * density).min(T::max_finite()),
-            seen: [above + areas[0], below + areas[1]],
-            hidden: [hidden(areas[0], above), hidden(areas[1], below)],
-        }
-    }
-
-    /// The value of refracted light where n_o² counts as 1.
-    #[inline(always)]
-    fn refracted_value(&self, refracted: &Refracted<T>) -> T {
-        let Refracted { crossing, scale, seen, hidden } = *refracted;
-        let value = scale * self.shadowing.refracted(hidden) / (seen[0] * seen[1]);
-        value.min(T::max_finite()).only_where(crossing.exists)
-    }
-
-    /// n² where the viewer is above for importance, or below for radiance; 1 elsewhere.
-    #[inline(always)]
-    fn value_scale(&self, below: T::Mask, mode: TransportMode) -> T {
-        let (one, squared) = (T::one(), self.ior.squared());
-        match mode {
-            TransportMode::Radiance => T::select(below, squared, one),
-            TransportMode::Importance => T::select(below, one, squared),
-        }
-    }
-
-    /// The density of refracted draws.
-    #[inline(always)]
-    fn refracted_pdf(&self, refracted: &Refracted<T>, below: T::Mask) -> T {
-        let Refracted { crossing, scale, seen, .. } = *refracted;
-        let (one, squared) = (T::one(), self.ior.squared());
-        let turned = T::select(below, one / seen[1], squared / seen[0]);
-        (scale * turned).min(T::max_finite()).only_where(crossing.exists)
-    }
-
-    /// The directions as seen from the side of `wo`.
-    #[inline(always)]
-    fn facing(wi: T::Vec3, wo: T::Vec3) -> (T::Mask, [T::Vec3; 2]) {
-        let below = wo.z().lt(T::zero());
-        (below, [turned_over::<T, _>(below, wi), turned_over::<T, _>(below, wo)])
+        Refracted::new(&self.distribution, self.ior, wi, wo)
     }
 
     #[inline(always)]
@@ -259,22 +198,19 @@ where
         let far_over_near = viewer.far_over_near(self.ior);
         let inverse = one / far_over_near;
         let sin_squared = Vector::length_squared(Vector::cross(facing, h));
-        let change = (one - inverse) * (one + inverse) * sin_squared;
-        let cos_t = (cos.squared() + change).max(T::lit(1e-37)).sqrt();
+        let (cos_t, _) = refracted_cosine(cos, sin_squared, inverse);
         let through: T::Vec3 = h * (cos * inverse - cos_t) - facing * inverse;
-        let down = through.z().lt(zero).and(crate::direction::off_surface::<T, _>(through));
+        let down = through.z().lt(zero).and(off_surface::<T, _>(through));
         let through = turned_over::<T, _>(below, through);
         let parts = self.refracted(through, viewer.wo);
-        let [above, under] = [parts.crossing.above, parts.crossing.below].map(|w| w.z());
-        let lit = T::select(below, above / parts.seen[0], under / parts.seen[1]);
-        let scale = refraction_scale(far_over_near, mode);
-        let weight = self.shadowing.refracted(parts.hidden) * lit.at_most(one) * scale;
+        let weight = parts.weight::<D, S>(&self.shadowing, below);
         let refracted = BsdfSample {
             wi: through,
-            weight: weight.only_where(down),
-            pdf: self.refracted_pdf(&parts, below).only_where(down),
+            weight: weight * refraction_scale(far_over_near, mode),
+            pdf: parts.pdf(self.ior, below),
             specular: never::<T>(),
         };
+        let refracted = refracted.only_where(down);
         Draws { powers: self.facet(below, cos), reflected, refracted }
     }
 }
@@ -293,11 +229,11 @@ where
         let value = in_place::<T, _>(
             #[inline(always)]
             || {
-                let (below, [light, viewer]) = Self::facing(wi, wo);
+                let (below, [light, viewer]) = facing::<T>(wi, wo);
                 let mirrored = self.shadowing.mirrored(&self.distribution, light, viewer);
                 let [reflectance, _] = self.facet(below, mirrored.cos);
-                let refracted = self.refracted_value(&self.refracted(wi, wo));
-                let refracted = (refracted * self.value_scale(below, mode)).min(T::max_finite());
+                let refracted = self.refracted(wi, wo);
+                let refracted = refracted.value::<D, S>(&self.shadowing, self.ior, below, mode);
                 // One of them is 0.
                 reflectance * mirrored.scale + refracted
             },
@@ -310,11 +246,11 @@ where
         in_place::<T, _>(
             #[inline(always)]
             || {
-                let (below, [light, viewer]) = Self::facing(wi, wo);
+                let (below, [light, viewer]) = facing::<T>(wi, wo);
                 let mirrored = self.shadowing.mirrored(&self.distribution, light, viewer);
                 let [reflectance, _] = self.facet(below, mirrored.cos);
                 let pdf = self.shadowing.pdf(&self.distribution, light, viewer);
-                let refracted = self.refracted_pdf(&self.refracted(wi, wo), below);
+                let refracted = self.refracted(wi, wo).pdf(self.ior, below);
                 // One of them is 0.
                 (pdf * reflectance).min(T::max_finite()) + refracted
             },

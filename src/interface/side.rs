@@ -1,7 +1,7 @@
 //! What the models of this room share: the side of the viewer, and events by chance.
 
 use crate::bsdf::{BsdfSample, Lobe, Lobes, TransportMode};
-use crate::direction::{off_surface, off_surface_or_normal};
+use crate::direction::{above_or_normal, above_surface, off_surface, off_surface_or_normal};
 use crate::real::{Color, Mask, Real, Vector};
 
 /// False everywhere.
@@ -10,7 +10,7 @@ pub(super) fn never<T: Real>() -> T::Mask {
     T::one().lt(T::zero())
 }
 
-/// The viewer: a direction on either side of the surface.
+/// The viewer: a direction on either side of the surface, or above it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Viewer<T: Real> {
     /// The normal in the place of what is no direction.
@@ -27,11 +27,26 @@ impl<T: Real> Viewer<T> {
         Self { wo, exists: off_surface::<T, _>(given), below: wo.z().lt(T::zero()) }
     }
 
+    /// One that sees nothing from below.
+    #[inline(always)]
+    pub(super) fn above(given: T::Vec3) -> Self {
+        let exists = above_surface::<T, _>(given);
+        Self { wo: above_or_normal::<T, _>(given), exists, below: never::<T>() }
+    }
+
     /// The mirror direction.
     #[inline(always)]
     pub(super) fn mirrored(&self) -> T::Vec3 {
         let (zero, wo) = (T::zero(), self.wo);
         Vector::new(zero - wo.x(), zero - wo.y(), wo.z())
+    }
+
+    /// The one lobe of a viewer of whom nothing passes.
+    #[inline(always)]
+    pub(super) fn mirror<C: Color<T>>(&self, weight: C) -> Lobes<T, C> {
+        let lobes = Lobes::none(self.wo);
+        let reflected = Lobe { wi: self.mirrored(), weight };
+        Lobes { reflected, ..lobes }.only_where(self.exists)
     }
 
     /// The direction straight through the surface.

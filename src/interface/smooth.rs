@@ -1,5 +1,6 @@
 use super::side::{Viewer, refraction_scale, sample_lobes};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
+use crate::direction::refracted_cosine;
 use crate::error::{ParameterError, range};
 use crate::fresnel::split;
 use crate::parameter::model;
@@ -26,7 +27,8 @@ model! {
     /// is total there is one, and with n = 1 light passes straight through.
     ///
     /// # Energy
-    /// Reciprocal: R and T are the same both ways along a refracted ray. Conserving and lossless: R + T = 1 to the last digits, from either side, up to the critical angle and grazing.
+    /// Reciprocal: R and T are the same both ways along a refracted ray. Conserving and lossless: R + T = 1
+    /// to the last digits, from either side, up to the critical angle and grazing.
     ///
     /// # Sampling
     /// The third number chooses: reflection below R. Every draw has the weight 1, for radiance times
@@ -74,14 +76,9 @@ impl<C, T: Real> SmoothDielectric<C, T> {
 /// where nothing is transmitted.
 #[inline(always)]
 fn refracted<T: Real>(viewer: &Viewer<T>, far_over_near: T, transmittance: T) -> T::Vec3 {
-    let (zero, one) = (T::zero(), T::one());
-    let wo = viewer.wo;
-    let inverse = one / far_over_near;
-    // cos²θ_t as a change of cos²θ: nothing changes where the index does not.
+    let (zero, wo, inverse) = (T::zero(), viewer.wo, T::one() / far_over_near);
     let sin_squared = wo.x().squared() + wo.y().squared();
-    let change = (one - inverse) * (one + inverse) * sin_squared;
-    // A root has no derivative at 0.
-    let cos = (wo.z().squared() + change).max(T::lit(1e-37)).sqrt();
+    let (cos, _) = refracted_cosine(wo.z(), sin_squared, inverse);
     let through = <T::Vec3 as Vector<T>>::new(
         zero - wo.x() * inverse,
         zero - wo.y() * inverse,
@@ -128,11 +125,6 @@ impl<T: Real, C: Color<T>> Bsdf<T> for SmoothDielectric<C, T> {
     }
 
     fn power(&self, wo: T::Vec3) -> Power<C> {
-        let viewer = Viewer::<T>::new(wo);
-        let [reflectance, transmittance] = split(self.ior, viewer.wo.z());
-        Power {
-            reflectance: (self.white * reflectance).only_where(viewer.exists),
-            transmittance: (self.white * transmittance).only_where(viewer.exists),
-        }
+        self.specular(wo, TransportMode::Importance).power()
     }
 }

@@ -118,11 +118,6 @@ impl<T: Real, C: Color<T>> Bsdf<T> for ThinDielectric<C, T> {
     }
 
     fn power(&self, wo: T::Vec3) -> Power<C> {
-        let viewer = Viewer::<T>::new(wo);
-        let [back, through] = self.powers(viewer.wo.z());
-        Power {
-            reflectance: (self.white * back).only_where(viewer.exists),
-            transmittance: (self.white * through).only_where(viewer.exists),
-        }
+        self.specular(wo, TransportMode::Importance).power()
     }
 }

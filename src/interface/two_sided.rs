@@ -1,5 +1,5 @@
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
-use crate::direction::turned_over;
+use crate::direction::{facing, turned_over};
 use crate::real::{Lift, Real, Vector, lift};
 
 /// A model whose front is on both sides of the surface, as of a sheet of paper.
@@ -45,19 +45,19 @@ impl<T: Real, M: Bsdf<T>> Bsdf<T> for TwoSided<M> {
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> M::Color {
-        let [wi, wo] = facing::<T>(wi, wo);
+        let (_, [wi, wo]) = facing::<T>(wi, wo);
         self.model.eval(wi, wo, mode)
     }
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> T {
-        let [wi, wo] = facing::<T>(wi, wo);
+        let (_, [wi, wo]) = facing::<T>(wi, wo);
         self.model.pdf(wi, wo, mode)
     }
 
     #[inline(always)]
     fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> (M::Color, T) {
-        let [wi, wo] = facing::<T>(wi, wo);
+        let (_, [wi, wo]) = facing::<T>(wi, wo);
         self.model.eval_pdf(wi, wo, mode)
     }
 
@@ -81,11 +81,4 @@ impl<T: Real, M: Bsdf<T>> Bsdf<T> for TwoSided<M> {
     fn power(&self, wo: T::Vec3) -> Power<M::Color> {
         self.model.power(turned_over::<T, _>(wo.z().lt(T::zero()), wo))
     }
-}
-
-/// Both directions as seen from the side of `wo`.
-#[inline(always)]
-fn facing<T: Real>(wi: T::Vec3, wo: T::Vec3) -> [T::Vec3; 2] {
-    let below = wo.z().lt(T::zero());
-    [turned_over::<T, _>(below, wi), turned_over::<T, _>(below, wo)]
 }
