@@ -33,9 +33,11 @@ use crate::real::{Lift, Real, lift};
 /// # Albedo
 /// [`albedo`](Brdf::albedo) is an integral over facets by Gauss–Legendre rules, cut where G or F is
 /// not smooth. Its relative error is below 10⁻⁶, in `f32` as in `f64`, for the distributions,
-/// shadowings and Fresnel terms of this crate, roughness 0.01 … 1, up to 89°. One exception is known:
+/// shadowings and Fresnel terms of this crate, roughness 0.01 … 1, up to 89°. Two exceptions are known:
 /// Beckmann's distribution with roughness 1 along one axis and a tenth or less along the other,
-/// before a medium of an index below 1, where it reaches 4·10⁻⁵. Such a medium takes one more
+/// before a medium of an index below 1, where it reaches 4·10⁻⁵; and films of several wavelengths,
+/// whose fringes over the angle may be finer than the rule. A medium of an index
+/// below 1 takes one more
 /// integral for each different index among the channels. With a distribution or a shadowing that was
 /// written elsewhere the albedo is the default's mean over samples, and a Fresnel term that was
 /// written elsewhere must be a smooth function of the cosine.

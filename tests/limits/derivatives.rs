@@ -76,6 +76,18 @@ fn samples_of_v_cavities_move_with_the_roughness() {
     assert!((sample.unwrap().derivatives[0].wi - want).length() < 1e-9);
 }
 
+/// By a lattice of 25 million facets and differences of fourth order.
+#[test]
+fn the_albedo_of_v_cavities_changes_with_the_roughness() {
+    let albedo = gradient([0.5], |[roughness]| {
+        Beckmann::new(roughness).and_then(|facets| {
+            let mirrors = Constant::new(Dual::constant(1.0))?;
+            Ok(CookTorrance::from_parts(facets, mirrors, VCavity).albedo(Dual::vector(VIEWER)))
+        })
+    });
+    close(albedo.unwrap().derivatives[0], -0.5749656, 1e-7);
+}
+
 #[test]
 fn the_normal_has_derivatives_by_parameters() {
     let up = Dual::vector(UP);
