@@ -62,17 +62,3 @@ pub(super) fn metal(_: &str) -> Result<[DVec3; 2], Problem> {
 pub(super) fn material(_: &str, _: DVec3) -> Result<[DVec3; 2], Problem> {
     Err(Problem::Metal("materials by name need the feature `materials`".into()))
 }
-
-#[cfg(all(test, not(feature = "materials")))]
-mod tests {
-    use crate::description::FresnelDescription;
-
-    #[test]
-    fn metals_need_their_feature() {
-        let error = serde_json::from_str::<FresnelDescription>(r#"{"metal": "Au"}"#).err();
-        assert_eq!(
-            error.map(|error| error.to_string()).as_deref(),
-            Some("metal: metals by name need the feature `materials`")
-        );
-    }
-}

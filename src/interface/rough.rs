@@ -7,6 +7,7 @@ use crate::distribution::Smith;
 use crate::error::{ParameterError, range};
 use crate::fresnel::split;
 use crate::microfacet::SmithCorrelated;
+#[cfg(feature = "serde")]
 use crate::parameter::{Parameter, model};
 use crate::quadrature::integrate;
 use crate::real::{Color, Lift, Mask, Real, Vector, in_place, lift};
@@ -94,6 +95,7 @@ impl<T: Real, D: Smith<T>> RoughDielectric<D, SmithCorrelated, T::Vec3, T> {
 }
 
 /// The parameter of the index.
+#[cfg(feature = "serde")]
 pub(crate) const ROUGH_IOR: Parameter =
     model!(@row ior: T, ETA, "n", "index below the surface over that above");
 

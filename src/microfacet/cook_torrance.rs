@@ -37,10 +37,9 @@ use crate::real::{Lift, Real, lift};
 /// Beckmann's distribution with roughness 1 along one axis and a tenth or less along the other,
 /// before a medium of an index below 1, where it reaches 4·10⁻⁵; and films of several wavelengths,
 /// whose fringes over the angle may be finer than the rule. A medium of an index
-/// below 1 takes one more
-/// integral for each different index among the channels. With a distribution or a shadowing that was
-/// written elsewhere the albedo is the default's mean over samples, and a Fresnel term that was
-/// written elsewhere must be a smooth function of the cosine.
+/// below 1 takes one more integral for each different index among the channels. With a distribution
+/// or a shadowing that was written elsewhere the albedo is the default's mean over samples, and a
+/// Fresnel term that was written elsewhere must be a smooth function of the cosine.
 ///
 /// # Sampling
 /// By visible normals: the density of a sample is G₁(V) D/(4 N·V) and its weight F G/G₁(V), never
