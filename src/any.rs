@@ -2,7 +2,7 @@
 
 use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
-use crate::diffuse::{Lambert, OrenNayar};
+use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 use crate::direction::Pair;
 use crate::distribution::AnyDistribution;
 use crate::fresnel::AnyFresnel;
@@ -44,6 +44,14 @@ members! {
         Lambert(Lambert<C>),
         /// Oren and Nayar's rough diffuse surface.
         OrenNayar(OrenNayar<C, T>),
+        /// Oren and Nayar's full model.
+        OrenNayarFull(OrenNayarFull<C, T>),
+        /// Fujii's fit to it.
+        Fujii(Fujii<C, T>),
+        /// Fujii's form by roughness.
+        Fon(Fon<C, T>),
+        /// The same with the light that grooves send to each other.
+        Eon(Eon<C, T>),
         /// The energy-conserving form of Phong's lobe.
         Phong(Phong<C, T>),
         /// Phong's highlight of 1975.

@@ -53,7 +53,7 @@ pub use any::{AnyBrdf, AnyCookTorrance};
 pub use brdf::{Brdf, Sample};
 pub use bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
 pub use colorimetry::{Illuminant, Observer};
-pub use diffuse::{Lambert, OrenNayar};
+pub use diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 pub use direction::{
     Pair, Refraction, above_surface, both_above, brewster_angle, check_direction, critical_angle,
     from_spherical, off_surface, reflect, refract, to_spherical,

@@ -5,7 +5,7 @@ use super::distribution::distribution;
 use super::error::DescriptionError;
 use super::fresnel::fresnel;
 use crate::any::AnyBrdf;
-use crate::diffuse::{Lambert, OrenNayar};
+use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 use crate::distribution::{Beckmann, Blinn1977};
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
@@ -22,6 +22,15 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
             let new = if whole { OrenNayar::with_interreflection } else { OrenNayar::new };
             at.made(new(at.color("albedo")?, at.number("sigma")?))?.into()
         }
+        "oren_nayar_full" => {
+            let whole = at.flag("interreflection");
+            let new =
+                if whole { OrenNayarFull::new } else { OrenNayarFull::without_interreflection };
+            at.made(new(at.color("albedo")?, at.number("sigma")?))?.into()
+        }
+        "fujii" => at.made(Fujii::new(at.color("albedo")?, at.number("sigma")?))?.into(),
+        "fon" => at.made(Fon::new(at.color("albedo")?, at.number("roughness")?))?.into(),
+        "eon" => at.made(Eon::new(at.color("albedo")?, at.number("roughness")?))?.into(),
         "phong" => {
             let (specular, exponent) = lobe()?;
             if at.flag("normalized") {

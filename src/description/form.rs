@@ -3,7 +3,7 @@
 use alloc::vec;
 
 use super::value::{Described, Numbers, Value};
-use crate::diffuse::{Lambert, OrenNayar};
+use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
 use crate::fresnel::{
     BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Stack,
@@ -153,9 +153,13 @@ macro_rules! form {
     }};
 }
 
-static BRDF_FORMS: [Form; 12] = [
+static BRDF_FORMS: [Form; 16] = [
     form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
     form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
+    form!(Brdf "oren_nayar_full": Keys <OrenNayarFull>::PARAMETERS),
+    form!(Brdf "fujii": Keys <Fujii>::PARAMETERS),
+    form!(Brdf "fon": Keys <Fon>::PARAMETERS),
+    form!(Brdf "eon": Keys <Eon>::PARAMETERS),
     form!(Brdf "phong": Keys <Phong>::PARAMETERS),
     form!(Brdf "blinn_phong": Keys <BlinnPhong>::PARAMETERS),
     form!(Brdf "schlick_power": Keys <SchlickPower>::PARAMETERS),
@@ -191,7 +195,7 @@ static SPHERE_FORMS: [Form; 5] = [
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 17] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 21] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 9] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),

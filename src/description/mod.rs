@@ -14,6 +14,9 @@
 //! |---|---|
 //! | `{"lambert": {"albedo": C}}` | |
 //! | `{"oren_nayar": {"albedo": C, "sigma": s, "interreflection": false}}` | sigma in radians |
+//! | `{"oren_nayar_full": {"albedo": C, "sigma": s, "interreflection": true}}` | `false` leaves out the term in ρ² |
+//! | `{"fujii": {"albedo": C, "sigma": s}}` | Fujii's fit to the full model |
+//! | `{"fon": {"albedo": C, "roughness": r}}`, `{"eon": {"albedo": C, "roughness": r}}` | Fujii's form by roughness, 0 … 1; its completion that keeps all energy |
 //! | `{"phong": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the highlight of 1975 over the cosine |
 //! | `{"blinn_phong": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the classic lobe |
 //! | `{"schlick_power": {"specular": C, "exponent": n, "normalized": true}}` | `false` for the classic lobe |

@@ -39,11 +39,15 @@ pub(crate) const DISTRIBUTIONS: [&str; 9] = [
     r#"{"mixture":[{"weight":1,"distribution":{"blinn":{"exponent":10}}},{"weight":3,"distribution":{"mixture":[{"weight":1,"distribution":{"gaussian":{"roughness":0.2}}},{"weight":1,"distribution":{"ggx":{"roughness":0.4}}}]}}]}"#,
 ];
 
-pub(crate) const SIMPLE: [&str; 13] = [
+pub(crate) const SIMPLE: [&str; 17] = [
     r#"{"lambert":{"albedo":0.5}}"#,
     r#"{"lambert":{"albedo":[0.1,0.2,0.3]}}"#,
     r#"{"oren_nayar":{"albedo":0.5,"sigma":0.3}}"#,
     r#"{"oren_nayar":{"albedo":0.5,"sigma":0.3,"interreflection":true}}"#,
+    r#"{"oren_nayar_full":{"albedo":0.5,"sigma":0.3,"interreflection":false}}"#,
+    r#"{"fujii":{"albedo":0.5,"sigma":0.3}}"#,
+    r#"{"fon":{"albedo":0.5,"roughness":0.3}}"#,
+    r#"{"eon":{"albedo":[0.1,0.2,0.3],"roughness":0.3}}"#,
     r#"{"phong":{"specular":0.5,"exponent":10}}"#,
     r#"{"phong":{"specular":0.5,"exponent":10,"normalized":false}}"#,
     r#"{"blinn_phong":{"specular":[0.5,0.6,0.7],"exponent":10}}"#,
