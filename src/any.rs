@@ -6,7 +6,9 @@ use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 use crate::direction::Pair;
 use crate::distribution::AnyDistribution;
 use crate::fresnel::AnyFresnel;
-use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
+use crate::glossy::{
+    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, Phong, SchlickPower, Ward,
+};
 use crate::microfacet::{AnyShadowing, CookTorrance, Scaled, facet};
 use crate::planetary::{LommelSeeliger, Minnaert};
 use crate::polarization::Mueller;
@@ -60,6 +62,12 @@ members! {
         BlinnPhong(BlinnPhong<C, T>),
         /// Schlick's rational stand-in for a power of the cosine.
         SchlickPower(SchlickPower<C, T>),
+        /// Ward's lobe.
+        Ward(Ward<C, T>),
+        /// Ashikhmin and Shirley's anisotropic Phong model.
+        AshikhminShirley(AshikhminShirley<C, T>),
+        /// Lafortune's generalised cosine lobes.
+        Lafortune(Lafortune<C, T>),
         /// Minnaert's law.
         Minnaert(Minnaert<C, T>),
         /// The law of Lommel and Seeliger.

@@ -191,6 +191,8 @@ ranges! {
     TOTAL_WEIGHT = 1e-30, 1e30, "10⁻³⁰ … 10³⁰";
     /// Colour of a light: its products with a reflectance stay far from overflow.
     LIGHT = 0.0, 1e10, "0 … 10¹⁰";
+    /// Component of the direction of a lobe.
+    LOBE = -1e4, 1e4, "−10⁴ … 10⁴";
     /// Exponent of a power of a cosine.
     EXPONENT = 0.0, 1e8, "0 … 10⁸";
     /// Real part of a refractive index.

@@ -68,7 +68,10 @@ pub use fresnel::{
     AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall,
     Schlick, Stack,
 };
-pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
+pub use glossy::{
+    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, LafortuneLobe, Phong, SchlickPower,
+    Ward, WardForm,
+};
 pub use gradient::{Differentiated, Gradient, gradient};
 pub use interface::{
     AnyBsdf, AnySmith, Mirror, Opaque, Plastic, RefractedShadowing, RoughDielectric,

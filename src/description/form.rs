@@ -5,13 +5,16 @@ use alloc::vec;
 use super::value::{Described, Numbers, Value};
 use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
+use crate::error::ParameterError;
 use crate::fresnel::{
     BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Stack,
 };
-use crate::glossy::{BlinnPhong, Phong, SchlickPower};
+use crate::glossy::check_lobes;
+use crate::glossy::{AshikhminShirley, BlinnPhong, Lafortune, Phong, SchlickPower, Ward};
 use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::polarization::check_count as check_layers;
 
 /// A form of description: its name and what stands behind it.
 ///
@@ -153,7 +156,7 @@ macro_rules! form {
     }};
 }
 
-static BRDF_FORMS: [Form; 16] = [
+static BRDF_FORMS: [Form; 19] = [
     form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
     form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
     form!(Brdf "oren_nayar_full": Keys <OrenNayarFull>::PARAMETERS),
@@ -163,6 +166,9 @@ static BRDF_FORMS: [Form; 16] = [
     form!(Brdf "phong": Keys <Phong>::PARAMETERS),
     form!(Brdf "blinn_phong": Keys <BlinnPhong>::PARAMETERS),
     form!(Brdf "schlick_power": Keys <SchlickPower>::PARAMETERS),
+    form!(Brdf "ward": Keys <Ward>::PARAMETERS),
+    form!(Brdf "ashikhmin_shirley": Keys <AshikhminShirley>::PARAMETERS),
+    form!(Brdf "lafortune": Keys <Lafortune>::PARAMETERS),
     form!(Brdf "minnaert": Keys <Minnaert>::PARAMETERS),
     form!(Brdf "lommel_seeliger": Keys <LommelSeeliger>::PARAMETERS),
     form!(Brdf "cook_torrance": Keys &[FACETS, REFLECTANCE, SHADOWING]),
@@ -195,7 +201,7 @@ static SPHERE_FORMS: [Form; 5] = [
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 21] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 24] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 9] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
@@ -215,8 +221,24 @@ pub(super) fn white() -> Described {
     Described { form, values: vec![Value::Numbers(Numbers::One(1.0))] }
 }
 
-/// A layer of a stack.
-pub(super) static LAYER: Form = form!(Fresnel "layers": Terms <Stack>::LAYER);
+/// What stands in the list of a key, and how many there may be.
+pub(super) struct List {
+    pub(super) term: Form,
+    pub(super) check_count: fn(usize) -> Result<(), ParameterError>,
+}
+
+/// The lists of all keys.
+static LISTS: [List; 2] = [
+    List { term: form!(Fresnel "layers": Terms <Stack>::LAYER), check_count: check_layers },
+    List { term: form!(Brdf "lobes": Terms <Lafortune>::LOBE), check_count: check_lobes },
+];
+
+impl List {
+    /// The list whose terms have these parameters.
+    pub(super) fn of(parameters: &[Parameter]) -> Option<&'static Self> {
+        LISTS.iter().find(|list| list.term.parameters() == parameters)
+    }
+}
 
 /// An index of each channel.
 pub(super) static INDICES: Form = form!(Fresnel "index": Keys <Conductor>::PARAMETERS);
