@@ -203,6 +203,14 @@ ranges! {
     K = 0.0, 1e4, "0 … 10⁴";
     /// Exponent of the approach to the edge of a Fresnel term.
     EDGE_EXPONENT = 1e-2, 1e4, "10⁻² … 10⁴";
+    /// Depth of a dip of a Fresnel term.
+    DIP = 0.0, 1e4, "0 … 10⁴";
+    /// Reflectance of a surface whose index is finite.
+    BELOW_ONE = 0.0, 0.9999, "0 … 0.9999";
+    /// Power of a generalised distribution.
+    GAMMA = 1e-2, 1e2, "10⁻² … 100";
+    /// Shortness of the tail of a distribution whose slopes have a mean.
+    SHORTNESS = 1.500001, 1e6, "1.500001 … 10⁶";
     /// Limb darkening of a planet's disc.
     LIMB_DARKENING = 0.5, 1e8, "½ … 10⁸";
     /// Asymmetry of a phase function.

@@ -59,14 +59,14 @@ pub use direction::{
     from_spherical, off_surface, reflect, refract, to_spherical,
 };
 pub use distribution::{
-    AnyDistribution, AnyMixture, Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture,
-    Smith,
+    AnyDistribution, AnyMixture, Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Gtr,
+    Mixture, Smith, StudentT,
 };
 pub use error::{ParameterError, Range};
 pub use frame::Frame;
 pub use fresnel::{
-    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall,
-    Schlick, Stack,
+    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, F82, F82Tint, Fresnel,
+    GeneralSchlick, Gulbrandsen, Hall, Lazanyi, Schlick, Stack,
 };
 pub use glossy::{
     AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, LafortuneLobe, Phong, SchlickPower,

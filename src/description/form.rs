@@ -4,10 +4,11 @@ use alloc::vec;
 
 use super::value::{Described, Numbers, Value};
 use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
-use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
+use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx, Gtr, StudentT};
 use crate::error::ParameterError;
 use crate::fresnel::{
-    BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Stack,
+    BelcourBarla, Conductor, Constant, Cook, Dielectric, F82, F82Tint, GeneralSchlick, Gulbrandsen,
+    Hall, Lazanyi, Stack,
 };
 use crate::glossy::check_lobes;
 use crate::glossy::{AshikhminShirley, BlinnPhong, Lafortune, Phong, SchlickPower, Ward};
@@ -203,12 +204,16 @@ static SPHERE_FORMS: [Form; 5] = [
 /// These, and every model of reflection.
 static BSDF_FORMS: [Form; 24] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
-static FRESNEL_FORMS: [Form; 9] = [
+static FRESNEL_FORMS: [Form; 13] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
     form!(Fresnel "dielectric": Keys <Dielectric>::PARAMETERS),
     form!(Fresnel "conductor": Keys <Conductor>::PARAMETERS),
     form!(Fresnel "metal": Value &METAL),
     form!(Fresnel "schlick": Keys <GeneralSchlick>::PARAMETERS),
+    form!(Fresnel "lazanyi": Keys <Lazanyi>::PARAMETERS),
+    form!(Fresnel "f82": Keys <F82>::PARAMETERS),
+    form!(Fresnel "f82_tint": Keys <F82Tint>::PARAMETERS),
+    form!(Fresnel "gulbrandsen": Keys <Gulbrandsen>::PARAMETERS),
     form!(Fresnel "hall": Keys <Hall>::PARAMETERS),
     form!(Fresnel "cook": Keys <Cook>::PARAMETERS),
     form!(Fresnel "stack": Keys <Stack>::PARAMETERS),
@@ -248,11 +253,13 @@ pub(super) static MATERIAL: Form = form!(Fresnel "index": Keys &[Parameter::new(
     "material", "", "key, symbol or name of a measured material", Kind::Text,
 )]);
 
-static DISTRIBUTION_FORMS: [Form; 5] = [
+static DISTRIBUTION_FORMS: [Form; 7] = [
     form!(Distribution "gaussian": Keys <Gaussian>::PARAMETERS),
     form!(Distribution "beckmann": Keys <Beckmann>::PARAMETERS),
     form!(Distribution "ggx": Keys <Ggx>::PARAMETERS),
     form!(Distribution "blinn": Keys <Blinn>::PARAMETERS),
+    form!(Distribution "gtr": Keys <Gtr>::PARAMETERS),
+    form!(Distribution "student_t": Keys <StudentT>::PARAMETERS),
     form!(Distribution "mixture": Terms &[
         model!(@row weight: T, WEIGHT, "w", "weight, divided by the sum of all weights"),
         Parameter::new("distribution", "D", "the distribution", Kind::Part(Part::Distribution)),

@@ -47,6 +47,9 @@
 //! | `{"conductor": {"eta": C, "k": C}}` | |
 //! | `{"metal": "Au"}` | measured index at 650, 550 and 450 nm, by symbol or name (feature `materials`); `Ta` and `Zn` are accepted although their sets are not for colour |
 //! | `{"schlick": {"f0": C, "f90": 1, "exponent": 5}}` | reflectance at normal and at grazing incidence |
+//! | `{"lazanyi": {"f0": C, "a": C, "alpha": C}}` | Schlick's term less a u (1 − u)^α |
+//! | `{"f82": {"f0": C, "f82": C}}`, `{"f82_tint": {"f0": C, "tint": 1}}` | Schlick's term with a reflectance, or a factor, at u = 1/7 |
+//! | `{"gulbrandsen": {"reflectivity": C, "edge_tint": C}}` | a conductor by its reflectance and the tint of its edge |
 //! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index; or of a conductor's, `[eta, k]` |
 //! | `{"cook": {"f0": C, "light": C, "ior": 1.5}}` | likewise; contains the light |
 //! | `{"stack": {"outside": 1, "layers": [{"index": I, "thickness": d}, …], "substrate": I, "wavelength": [650, 550, 450]}}` | coherent films, at most 64, lengths in nanometres |
@@ -60,6 +63,8 @@
 //! | `{"gaussian": {"roughness": m}}` | the same in all directions |
 //! | `{"beckmann": {"roughness": R}}`, `{"ggx": {"roughness": R}}` | |
 //! | `{"blinn": {"exponent": n}}` | |
+//! | `{"gtr": {"roughness": a, "gamma": g}}` | g = 2 is `ggx` |
+//! | `{"student_t": {"roughness": R, "gamma": g}}` | g = 2 is `ggx`, large g `beckmann` |
 //! | `{"mixture": [{"weight": w, "distribution": D}, …]}` | weights are divided by their sum |
 //!
 //! # Errors

@@ -6,7 +6,7 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub(crate) const FRESNEL: [&str; 18] = [
+pub(crate) const FRESNEL: [&str; 22] = [
     r#"{"constant":0.5}"#,
     r#"{"constant":[0.25,0.5,1]}"#,
     r#"{"dielectric":{"ior":1.5}}"#,
@@ -15,6 +15,10 @@ pub(crate) const FRESNEL: [&str; 18] = [
     r#"{"metal":"Au"}"#,
     r#"{"schlick":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"schlick":{"f0":0.04,"f90":[0.9,0.6,0.3],"exponent":3}}"#,
+    r#"{"lazanyi":{"f0":[0.9,0.6,0.3],"a":1.5,"alpha":[6,5,4]}}"#,
+    r#"{"f82":{"f0":[0.9,0.6,0.3],"f82":0.5}}"#,
+    r#"{"f82_tint":{"f0":[0.9,0.6,0.3]}}"#,
+    r#"{"gulbrandsen":{"reflectivity":[0.9,0.6,0.3],"edge_tint":0.5}}"#,
     r#"{"hall":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"hall":{"f0":0.5,"ior":1.3}}"#,
     r#"{"hall":{"f0":[0.95,0.64,0.54],"ior":[1.02,2.577]}}"#,
@@ -27,13 +31,15 @@ pub(crate) const FRESNEL: [&str; 18] = [
     r#"{"belcour_barla":{"film":1.33,"thickness":300,"substrate":{"eta":0.5,"k":2.5},"outside":1.1}}"#,
 ];
 
-pub(crate) const DISTRIBUTIONS: [&str; 9] = [
+pub(crate) const DISTRIBUTIONS: [&str; 11] = [
     r#"{"gaussian":{"roughness":0.3}}"#,
     r#"{"beckmann":{"roughness":0.3}}"#,
     r#"{"beckmann":{"roughness":[0.2,0.5]}}"#,
     r#"{"ggx":{"roughness":1}}"#,
     r#"{"ggx":{"roughness":[0.1,0.4]}}"#,
     r#"{"blinn":{"exponent":40}}"#,
+    r#"{"gtr":{"roughness":0.3,"gamma":1.5}}"#,
+    r#"{"student_t":{"roughness":[0.1,0.4],"gamma":3}}"#,
     r#"{"mixture":[{"weight":2,"distribution":{"beckmann":{"roughness":0.2}}},{"weight":3,"distribution":{"beckmann":{"roughness":0.5}}}]}"#,
     r#"{"mixture":[{"weight":1,"distribution":{"ggx":{"roughness":0.2}}},{"weight":3,"distribution":{"beckmann":{"roughness":0.5}}}]}"#,
     r#"{"mixture":[{"weight":1,"distribution":{"blinn":{"exponent":10}}},{"weight":3,"distribution":{"mixture":[{"weight":1,"distribution":{"gaussian":{"roughness":0.2}}},{"weight":1,"distribution":{"ggx":{"roughness":0.4}}}]}}]}"#,
@@ -73,7 +79,8 @@ pub(crate) fn models() -> Vec<String> {
             ));
         }
         for distribution in DISTRIBUTIONS {
-            let smith = !distribution.contains("gaussian") && !distribution.contains("blinn");
+            let smith =
+                !["gaussian", "blinn", "gtr", "student"].iter().any(|it| distribution.contains(it));
             models.push(format!(
                 r#"{{"cook_torrance":{{"distribution":{distribution},"fresnel":{fresnel}}}}}"#
             ));
