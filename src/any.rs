@@ -10,7 +10,7 @@ use crate::glossy::{
     AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, Phong, SchlickPower, Ward,
 };
 use crate::microfacet::{AnyShadowing, CookTorrance, Scaled, facet};
-use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
 use crate::polarization::Mueller;
 use crate::polarized_brdf::times;
 use crate::real::{Color, Real, members};
@@ -72,6 +72,8 @@ members! {
         Minnaert(Minnaert<C, T>),
         /// The law of Lommel and Seeliger.
         LommelSeeliger(LommelSeeliger<C, T>),
+        /// Hapke's model.
+        Hapke(Hapke<C, T>),
         /// The microfacet model.
         CookTorrance(AnyCookTorrance<T, C>): generic,
         /// A printed form of the microfacet model.

@@ -215,6 +215,12 @@ ranges! {
     LIMB_DARKENING = 0.5, 1e8, "½ … 10⁸";
     /// Asymmetry of a phase function.
     PHASE = -0.999999, 0.999999, "−0.999999 … 0.999999";
+    /// Height of an opposition surge.
+    SURGE = 0.0, 100.0, "0 … 100";
+    /// Width of an opposition surge.
+    SURGE_WIDTH = 1e-6, 1e4, "10⁻⁶ … 10⁴";
+    /// Mean slope of a planet's roughness, radians.
+    MEAN_SLOPE = 0.0, core::f64::consts::FRAC_PI_3, "0 … π/3";
     /// Angle at which the distributions of 1977 have fallen to one half, radians.
     HALF_WIDTH = 2e-4, 1.57, "2·10⁻⁴ … 1.57";
     /// Sharpness of the distribution of 1967, 1/degree.

@@ -82,7 +82,7 @@ pub use microfacet::{
     Scaled, Shadowing, SmithCorrelated, SmithSeparable, VCavity,
 };
 pub use parameter::Parameter;
-pub use planetary::{LommelSeeliger, Minnaert};
+pub use planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
 pub use polarized_brdf::PolarizedBrdf;
 pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::{SumOfTwo, WeightedSum};

@@ -12,7 +12,7 @@ use crate::glossy::{
     Ward, WardForm,
 };
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
-use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
 use crate::real::{Real, Vector};
 use crate::sum::WeightedSum;
 
@@ -79,6 +79,16 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
         }
         "minnaert" => at.made(Minnaert::new(at.color("albedo")?, at.number("k")?))?.into(),
         "lommel_seeliger" => at.made(LommelSeeliger::new(at.color("w")?, at.number("xi")?))?.into(),
+        "hapke" => {
+            let h_function = match at.described.word("h_function") {
+                "1981" => HFunction::Of1981,
+                _ => HFunction::Of1993,
+            };
+            let grains = at.made(Hapke::new(at.color("w")?))?.with_h_function(h_function);
+            let grains = at.made(grains.with_phase(at.number("xi")?))?;
+            let grains = at.made(grains.with_surge(at.number("b0")?, at.number("h")?))?;
+            at.made(grains.with_roughness(at.number("theta_bar")?))?.into()
+        }
         "cook_torrance" => {
             let distribution = at.part("distribution", distribution)?;
             let fresnel = at.part("fresnel", fresnel)?;

@@ -14,7 +14,7 @@ use crate::glossy::check_lobes;
 use crate::glossy::{AshikhminShirley, BlinnPhong, Lafortune, Phong, SchlickPower, Ward};
 use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
-use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
 use crate::polarization::check_count as check_layers;
 
 /// A form of description: its name and what stands behind it.
@@ -157,7 +157,7 @@ macro_rules! form {
     }};
 }
 
-static BRDF_FORMS: [Form; 19] = [
+static BRDF_FORMS: [Form; 20] = [
     form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
     form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
     form!(Brdf "oren_nayar_full": Keys <OrenNayarFull>::PARAMETERS),
@@ -172,6 +172,7 @@ static BRDF_FORMS: [Form; 19] = [
     form!(Brdf "lafortune": Keys <Lafortune>::PARAMETERS),
     form!(Brdf "minnaert": Keys <Minnaert>::PARAMETERS),
     form!(Brdf "lommel_seeliger": Keys <LommelSeeliger>::PARAMETERS),
+    form!(Brdf "hapke": Keys <Hapke>::PARAMETERS),
     form!(Brdf "cook_torrance": Keys &[FACETS, REFLECTANCE, SHADOWING]),
     form!(Brdf "torrance_sparrow_1967": Keys &[
         model!(@row c: T, SHARPNESS_1967, "c", "sharpness of the distribution, 1/degree"),
@@ -202,7 +203,7 @@ static SPHERE_FORMS: [Form; 5] = [
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 24] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 25] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 13] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
