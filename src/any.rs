@@ -7,7 +7,7 @@ use crate::direction::Pair;
 use crate::distribution::AnyDistribution;
 use crate::fresnel::AnyFresnel;
 use crate::glossy::{
-    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, Phong, SchlickPower, Ward,
+    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, Phong, Schlick1994, SchlickPower, Ward,
 };
 use crate::microfacet::{AnyShadowing, CookTorrance, Scaled, facet};
 use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
@@ -68,6 +68,8 @@ members! {
         AshikhminShirley(AshikhminShirley<C, T>),
         /// Lafortune's generalised cosine lobes.
         Lafortune(Lafortune<C, T>),
+        /// Schlick's model of 1994, without a mirror part.
+        Schlick1994(Schlick1994<C, T>),
         /// Minnaert's law.
         Minnaert(Minnaert<C, T>),
         /// The law of Lommel and Seeliger.

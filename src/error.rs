@@ -221,6 +221,10 @@ ranges! {
     SURGE_WIDTH = 1e-6, 1e4, "10⁻⁶ … 10⁴";
     /// Mean slope of a planet's roughness, radians.
     MEAN_SLOPE = 0.0, core::f64::consts::FRAC_PI_3, "0 … π/3";
+    /// Square of a roughness of at most 1.
+    SQUARED_ROUGHNESS = 1e-8, 1.0, "10⁻⁸ … 1";
+    /// How little grain a surface has.
+    ISOTROPY = 1e-4, 1.0, "10⁻⁴ … 1";
     /// Angle at which the distributions of 1977 have fallen to one half, radians.
     HALF_WIDTH = 2e-4, 1.57, "2·10⁻⁴ … 1.57";
     /// Sharpness of the distribution of 1967, 1/degree.

@@ -69,13 +69,13 @@ pub use fresnel::{
     GeneralSchlick, Gulbrandsen, Hall, Lazanyi, Schlick, Stack,
 };
 pub use glossy::{
-    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, LafortuneLobe, Phong, SchlickPower,
-    Ward, WardForm,
+    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, LafortuneLobe, Phong, Schlick1994,
+    Schlick1994Layer, SchlickPower, SchlickShadowing, Ward, WardForm,
 };
 pub use gradient::{Differentiated, Gradient, gradient};
 pub use interface::{
     AnyBsdf, AnySmith, Mirror, Opaque, Plastic, RefractedShadowing, RoughDielectric,
-    SmoothDielectric, ThinDielectric, TwoSided,
+    SmoothDielectric, SplitSchlick1994, ThinDielectric, TwoSided,
 };
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, DefaultShadowing,

@@ -8,8 +8,8 @@ use crate::any::AnyBrdf;
 use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 use crate::distribution::{Beckmann, Blinn1977};
 use crate::glossy::{
-    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, LafortuneLobe, Phong, SchlickPower,
-    Ward, WardForm,
+    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, LafortuneLobe, Phong, Schlick1994,
+    Schlick1994Layer, SchlickPower, SchlickShadowing, Ward, WardForm,
 };
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
 use crate::planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
@@ -77,6 +77,7 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
             })?;
             at.made(Lafortune::new(at.color("diffuse")?, lobes))?.into()
         }
+        "schlick_1994" => schlick_1994(at)?.into(),
         "minnaert" => at.made(Minnaert::new(at.color("albedo")?, at.number("k")?))?.into(),
         "lommel_seeliger" => at.made(LommelSeeliger::new(at.color("w")?, at.number("xi")?))?.into(),
         "hapke" => {
@@ -123,4 +124,29 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
         }
         _ => return Err(at.unknown()),
     })
+}
+
+/// Schlick's model of 1994, without a mirror part.
+pub(super) fn schlick_1994<T: Real>(
+    at: &Build<'_, T>,
+) -> Result<Schlick1994<T::Vec3, T>, DescriptionError> {
+    let layers = at.each("layers", |layer| {
+        Ok(Schlick1994Layer {
+            specular: layer.color("specular")?,
+            roughness: layer.number("roughness")?,
+            isotropy: layer.number("isotropy")?,
+        })
+    })?;
+    let made = match *layers.as_slice() {
+        [one] => at.made(Schlick1994::new(one))?,
+        [top, bottom] => at.made(Schlick1994::double(top, bottom))?,
+        _ => return Err(at.unknown()),
+    };
+    let shadowing = match at.described.word("shadowing") {
+        "none" => SchlickShadowing::None,
+        "reemission_printed" => SchlickShadowing::ReemissionPrinted,
+        "reemission_bounded" => SchlickShadowing::ReemissionBounded,
+        _ => SchlickShadowing::Schlick,
+    };
+    Ok(made.with_shadowing(shadowing).with_split(at.flag("split")))
 }

@@ -11,7 +11,10 @@ use crate::fresnel::{
     Hall, Lazanyi, Stack,
 };
 use crate::glossy::check_lobes;
-use crate::glossy::{AshikhminShirley, BlinnPhong, Lafortune, Phong, SchlickPower, Ward};
+use crate::glossy::check_schlick_layers;
+use crate::glossy::{
+    AshikhminShirley, BlinnPhong, Lafortune, Phong, Schlick1994, SchlickPower, Ward,
+};
 use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
@@ -157,7 +160,7 @@ macro_rules! form {
     }};
 }
 
-static BRDF_FORMS: [Form; 20] = [
+static BRDF_FORMS: [Form; 21] = [
     form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
     form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
     form!(Brdf "oren_nayar_full": Keys <OrenNayarFull>::PARAMETERS),
@@ -170,6 +173,7 @@ static BRDF_FORMS: [Form; 20] = [
     form!(Brdf "ward": Keys <Ward>::PARAMETERS),
     form!(Brdf "ashikhmin_shirley": Keys <AshikhminShirley>::PARAMETERS),
     form!(Brdf "lafortune": Keys <Lafortune>::PARAMETERS),
+    form!(Brdf "schlick_1994": Keys <Schlick1994>::PARAMETERS),
     form!(Brdf "minnaert": Keys <Minnaert>::PARAMETERS),
     form!(Brdf "lommel_seeliger": Keys <LommelSeeliger>::PARAMETERS),
     form!(Brdf "hapke": Keys <Hapke>::PARAMETERS),
@@ -203,7 +207,7 @@ static SPHERE_FORMS: [Form; 5] = [
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 25] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 26] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 13] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
@@ -234,8 +238,12 @@ pub(super) struct List {
 }
 
 /// The lists of all keys.
-static LISTS: [List; 2] = [
+static LISTS: [List; 3] = [
     List { term: form!(Fresnel "layers": Terms <Stack>::LAYER), check_count: check_layers },
+    List {
+        term: form!(Brdf "layers": Terms <Schlick1994>::LAYER),
+        check_count: check_schlick_layers,
+    },
     List { term: form!(Brdf "lobes": Terms <Lafortune>::LOBE), check_count: check_lobes },
 ];
 

@@ -272,6 +272,11 @@ impl<'de> Visitor<'de> for Listed<'_> {
         while let Some(term) = list.next_element_seed(OneMore(place, expected, terms.len()))? {
             terms.push(term);
         }
+        if terms.is_empty() {
+            (expected.check_count)(0).map_err(|error| {
+                place.refuse::<A::Error>(place.path().error(Problem::Parameter(error)))
+            })?;
+        }
         Ok(terms)
     }
 }

@@ -61,7 +61,7 @@ impl<T: Real> Spread<T> {
         Self { along, tail: Tail::Normal }
     }
 
-    pub(super) fn ellipsoid(along: [T; 2]) -> Self {
+    pub(crate) fn ellipsoid(along: [T; 2]) -> Self {
         Self { along, tail: Tail::Ellipsoid }
     }
 

@@ -7,7 +7,10 @@ mod cosine_power;
 mod lafortune;
 mod mirror;
 mod phong;
+mod schlick_1994;
+mod schlick_layer;
 mod schlick_power;
+mod schlick_rational;
 mod ward;
 
 pub use ashikhmin_shirley::AshikhminShirley;
@@ -17,5 +20,10 @@ pub use classic_phong::ClassicPhong;
 pub(crate) use lafortune::check_lobes;
 pub use lafortune::{Lafortune, LafortuneLobe, MAX_LOBES};
 pub use phong::Phong;
+pub use schlick_1994::Schlick1994;
+#[cfg(feature = "serde")]
+pub(crate) use schlick_1994::check_schlick_layers;
+pub use schlick_layer::{Schlick1994Layer, SchlickShadowing};
 pub use schlick_power::SchlickPower;
+pub use schlick_rational::{schlick_beckmann, schlick_masking};
 pub use ward::{Ward, WardForm};

@@ -1,4 +1,4 @@
-use core::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI};
+use core::f64::consts::FRAC_1_PI;
 
 use super::chandrasekhar::HFunction;
 use super::phase;
@@ -8,7 +8,7 @@ use crate::direction::{above_or_normal, above_surface, both_above};
 use crate::error::{ParameterError, range};
 use crate::frame::Frame;
 use crate::parameter::{Kind, Parameter, Preset, model};
-use crate::quadrature::integrate;
+use crate::quadrature::over_hemisphere;
 use crate::real::{Color, Real, Vector, lift, positive_zero};
 use crate::sampling::{cosine_hemisphere, uniform};
 
@@ -237,36 +237,9 @@ impl<T: Real, C: Color<T>> Brdf<T> for Hapke<C, T> {
         Sample { wi, weight, pdf }.only_where(some)
     }
 
-    /// The integral, cut where light and viewer are equally high. What is narrow is narrow where an azimuth or a
-    /// height has its end, around the viewer or at the horizon opposite.
     fn albedo(&self, wo: T::Vec3) -> C {
-        let (zero, one) = (T::zero(), T::one());
-        let w = Vector::normalize_or_normal(above_or_normal::<T, T::Vec3>(wo));
-        let sin = (w.x().squared() + w.y().squared()).sqrt();
-        let theta = sin.atan2(w.z());
-        let viewer: T::Vec3 = Vector::new(sin, zero, w.z());
-        let part = |from: T, to: T| {
-            integrate(zero, one, |s: T| {
-                let (step, slope) = crowded(s);
-                let (sin, cos) = (from + (to - from) * step).sin_cos();
-                let ring = integrate(zero, one, |t: T| {
-                    let (turn, density) = crowded(t);
-                    let (sin_phi, cos_phi) = (turn * T::lit(PI)).sin_cos();
-                    let wi = Vector::new(sin * cos_phi, sin * sin_phi, cos.max(T::lit(1e-18)));
-                    self.value(wi, viewer) * density
-                });
-                ring * (T::lit(2.0 * PI) * sin * cos * slope * (to - from))
-            })
-        };
-        let albedo = part(zero, theta) + part(theta, T::lit(FRAC_PI_2));
-        albedo.map(|value| value.clamp(zero, T::max_finite())).only_where(above_surface::<T, _>(wo))
+        let albedo = over_hemisphere(wo, |wi, wo| self.value(wi, wo) * wi.z());
+        let albedo = albedo.map(|value: T| value.clamp(T::zero(), T::max_finite()));
+        albedo.only_where(above_surface::<T, _>(wo))
     }
-}
-
-/// t³(10 − 15t + 6t²), which crowds next to both ends, and its slope.
-#[inline(always)]
-fn crowded<T: Real>(t: T) -> (T, T) {
-    let (ten, fifteen, six) = (T::lit(10.0), T::lit(15.0), T::lit(6.0));
-    let rest = t * (T::one() - t);
-    (t.squared() * t * (ten - t * (fifteen - six * t)), T::lit(30.0) * rest.squared())
 }

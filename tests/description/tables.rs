@@ -337,7 +337,8 @@ fn any_value(parameter: &'static Parameter, depth: u32) -> BoxedStrategy<Value> 
                 .map(|it| any_value(it, depth).prop_map(|value| (it.name.to_owned(), value)));
             let object =
                 keys.collect::<Vec<_>>().prop_map(|keys| Value::Object(keys.into_iter().collect()));
-            proptest::collection::vec(object, 0..3).prop_map(Value::from).boxed()
+            let least = usize::from(parameters.iter().any(|it| it.name == "isotropy"));
+            proptest::collection::vec(object, least..3).prop_map(Value::from).boxed()
         }
         Kind::Flag => any::<bool>().prop_map(Value::from).boxed(),
         Kind::Text => proptest::sample::select(vec!["Au", "copper"]).prop_map(Value::from).boxed(),

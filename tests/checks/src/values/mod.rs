@@ -14,6 +14,7 @@ mod microfacet;
 mod planetary;
 mod polarization;
 mod reference;
+mod schlick_1994;
 
 use std::error::Error;
 
@@ -51,6 +52,7 @@ fn all<T: Number>() -> Vec<Check> {
         &microfacet::all::<T>(),
         &lobes::all::<T>(),
         &diffuse::all::<T>(),
+        &schlick_1994::all::<T>(),
         &planetary::all::<T>(),
         &polarization::all::<T>(),
         &interfaces::all::<T>(),
