@@ -2,13 +2,15 @@
 
 use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
-use crate::diffuse::{Lambert, OrenNayar};
+use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 use crate::direction::Pair;
 use crate::distribution::AnyDistribution;
 use crate::fresnel::AnyFresnel;
-use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
+use crate::glossy::{
+    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, Phong, Schlick1994, SchlickPower, Ward,
+};
 use crate::microfacet::{AnyShadowing, CookTorrance, Scaled, facet};
-use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
 use crate::polarization::Mueller;
 use crate::polarized_brdf::times;
 use crate::real::{Color, Real, members};
@@ -44,6 +46,14 @@ members! {
         Lambert(Lambert<C>),
         /// Oren and Nayar's rough diffuse surface.
         OrenNayar(OrenNayar<C, T>),
+        /// Oren and Nayar's full model.
+        OrenNayarFull(OrenNayarFull<C, T>),
+        /// Fujii's fit to it.
+        Fujii(Fujii<C, T>),
+        /// Fujii's form by roughness.
+        Fon(Fon<C, T>),
+        /// The same with the light that grooves send to each other.
+        Eon(Eon<C, T>),
         /// The energy-conserving form of Phong's lobe.
         Phong(Phong<C, T>),
         /// Phong's highlight of 1975.
@@ -52,10 +62,20 @@ members! {
         BlinnPhong(BlinnPhong<C, T>),
         /// Schlick's rational stand-in for a power of the cosine.
         SchlickPower(SchlickPower<C, T>),
+        /// Ward's lobe.
+        Ward(Ward<C, T>),
+        /// Ashikhmin and Shirley's anisotropic Phong model.
+        AshikhminShirley(AshikhminShirley<C, T>),
+        /// Lafortune's generalised cosine lobes.
+        Lafortune(Lafortune<C, T>),
+        /// Schlick's model of 1994, without a mirror part.
+        Schlick1994(Schlick1994<C, T>),
         /// Minnaert's law.
         Minnaert(Minnaert<C, T>),
         /// The law of Lommel and Seeliger.
         LommelSeeliger(LommelSeeliger<C, T>),
+        /// Hapke's model.
+        Hapke(Hapke<C, T>),
         /// The microfacet model.
         CookTorrance(AnyCookTorrance<T, C>): generic,
         /// A printed form of the microfacet model.

@@ -191,6 +191,8 @@ ranges! {
     TOTAL_WEIGHT = 1e-30, 1e30, "10⁻³⁰ … 10³⁰";
     /// Colour of a light: its products with a reflectance stay far from overflow.
     LIGHT = 0.0, 1e10, "0 … 10¹⁰";
+    /// Component of the direction of a lobe.
+    LOBE = -1e4, 1e4, "−10⁴ … 10⁴";
     /// Exponent of a power of a cosine.
     EXPONENT = 0.0, 1e8, "0 … 10⁸";
     /// Real part of a refractive index.
@@ -201,10 +203,28 @@ ranges! {
     K = 0.0, 1e4, "0 … 10⁴";
     /// Exponent of the approach to the edge of a Fresnel term.
     EDGE_EXPONENT = 1e-2, 1e4, "10⁻² … 10⁴";
+    /// Depth of a dip of a Fresnel term.
+    DIP = 0.0, 1e4, "0 … 10⁴";
+    /// Reflectance of a surface whose index is finite.
+    BELOW_ONE = 0.0, 0.9999, "0 … 0.9999";
+    /// Power of a generalised distribution.
+    GAMMA = 1e-2, 1e2, "10⁻² … 100";
+    /// Shortness of the tail of a distribution whose slopes have a mean.
+    SHORTNESS = 1.500001, 1e6, "1.500001 … 10⁶";
     /// Limb darkening of a planet's disc.
     LIMB_DARKENING = 0.5, 1e8, "½ … 10⁸";
     /// Asymmetry of a phase function.
     PHASE = -0.999999, 0.999999, "−0.999999 … 0.999999";
+    /// Height of an opposition surge.
+    SURGE = 0.0, 100.0, "0 … 100";
+    /// Width of an opposition surge.
+    SURGE_WIDTH = 1e-6, 1e4, "10⁻⁶ … 10⁴";
+    /// Mean slope of a planet's roughness, radians.
+    MEAN_SLOPE = 0.0, core::f64::consts::FRAC_PI_3, "0 … π/3";
+    /// Square of a roughness of at most 1.
+    SQUARED_ROUGHNESS = 1e-8, 1.0, "10⁻⁸ … 1";
+    /// How little grain a surface has.
+    ISOTROPY = 1e-4, 1.0, "10⁻⁴ … 1";
     /// Angle at which the distributions of 1977 have fallen to one half, radians.
     HALF_WIDTH = 2e-4, 1.57, "2·10⁻⁴ … 1.57";
     /// Sharpness of the distribution of 1967, 1/degree.

@@ -53,33 +53,36 @@ pub use any::{AnyBrdf, AnyCookTorrance};
 pub use brdf::{Brdf, Sample};
 pub use bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
 pub use colorimetry::{Illuminant, Observer};
-pub use diffuse::{Lambert, OrenNayar};
+pub use diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
 pub use direction::{
     Pair, Refraction, above_surface, both_above, brewster_angle, check_direction, critical_angle,
     from_spherical, off_surface, reflect, refract, to_spherical,
 };
 pub use distribution::{
-    AnyDistribution, AnyMixture, Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture,
-    Smith,
+    AnyDistribution, AnyMixture, Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Gtr,
+    Mixture, Smith, StudentT,
 };
 pub use error::{ParameterError, Range};
 pub use frame::Frame;
 pub use fresnel::{
-    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, Fresnel, GeneralSchlick, Hall,
-    Schlick, Stack,
+    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, F82, F82Tint, Fresnel,
+    GeneralSchlick, Gulbrandsen, Hall, Lazanyi, Schlick, Stack,
 };
-pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
+pub use glossy::{
+    AshikhminShirley, BlinnPhong, ClassicPhong, Lafortune, LafortuneLobe, Phong, Schlick1994,
+    Schlick1994Layer, SchlickPower, SchlickShadowing, Ward, WardForm,
+};
 pub use gradient::{Differentiated, Gradient, gradient};
 pub use interface::{
     AnyBsdf, AnySmith, Mirror, Opaque, Plastic, RefractedShadowing, RoughDielectric,
-    SmoothDielectric, ThinDielectric, TwoSided,
+    SmoothDielectric, SplitSchlick1994, ThinDielectric, TwoSided,
 };
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, DefaultShadowing,
     Scaled, Shadowing, SmithCorrelated, SmithSeparable, VCavity,
 };
 pub use parameter::Parameter;
-pub use planetary::{LommelSeeliger, Minnaert};
+pub use planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
 pub use polarized_brdf::PolarizedBrdf;
 pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::{SumOfTwo, WeightedSum};

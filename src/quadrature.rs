@@ -1,8 +1,10 @@
 //! Integrals: Gauss–Legendre nodes on a line, a lattice on the unit square.
 
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use core::ops::{Add, Mul};
 
-use crate::real::Real;
+use crate::direction::above_or_normal;
+use crate::real::{Color, Real, Vector};
 
 /// The positive nodes of the Legendre polynomial of degree 48 on [−1, 1], with their weights.
 pub(crate) const NODES_48: [(f64, f64); 24] = [
@@ -121,6 +123,43 @@ where
         sum = sum + pair(node);
     }
     sum * half
+}
+
+/// ∫ `formula` dωᵢ over the hemisphere, of light and viewer, for what does not change when the surface is turned or
+/// mirrored.
+///
+/// Cut where light and viewer are equally high. What is narrow may be so where an azimuth or a height has its end:
+/// around the viewer, around the mirror direction, and at the horizon.
+pub(crate) fn over_hemisphere<T: Real, C: Color<T>>(
+    wo: T::Vec3,
+    formula: impl Fn(T::Vec3, T::Vec3) -> C,
+) -> C {
+    let (zero, one) = (T::zero(), T::one());
+    let w = Vector::normalize_or_normal(above_or_normal::<T, T::Vec3>(wo));
+    let sin = (w.x().squared() + w.y().squared()).sqrt();
+    let (theta, viewer) = (sin.atan2(w.z()), Vector::new(sin, zero, w.z()));
+    let part = |from: T, to: T| {
+        integrate(zero, one, |s: T| {
+            let (step, slope) = crowded(s);
+            let (sin, cos) = (from + (to - from) * step).sin_cos();
+            let ring = integrate(zero, one, |t: T| {
+                let (turn, density) = crowded(t);
+                let (sin_phi, cos_phi) = (turn * T::lit(PI)).sin_cos();
+                let wi = Vector::new(sin * cos_phi, sin * sin_phi, cos.max(T::lit(1e-18)));
+                formula(wi, viewer) * density
+            });
+            ring * (T::lit(TAU) * sin * slope * (to - from))
+        })
+    };
+    part(zero, theta) + part(theta, T::lit(FRAC_PI_2))
+}
+
+/// t³(10 − 15t + 6t²), which crowds next to both ends, and its slope.
+#[inline(always)]
+fn crowded<T: Real>(t: T) -> (T, T) {
+    let (ten, fifteen, six) = (T::lit(10.0), T::lit(15.0), T::lit(6.0));
+    let rest = t * (T::one() - t);
+    (t.squared() * t * (ten - t * (fifteen - six * t)), T::lit(30.0) * rest.squared())
 }
 
 /// Points of the lattice of [`mean_over_square`] and its step: neighbours in Fibonacci's sequence.

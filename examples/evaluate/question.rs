@@ -598,7 +598,8 @@ fn is_unit<T: Number>(w: &[f64; 3]) -> bool {
 /// over the whole sphere.
 fn has_lobes(model: &RawValue) -> bool {
     let name = model.get().trim_start_matches(['{', ' ', '\t', '\r']);
-    ["\"mirror\"", "\"plastic\""].into_iter().any(|lobes| name.starts_with(lobes))
+    let split = name.starts_with("\"schlick_1994\"") && name.contains("\"split\"");
+    split || ["\"mirror\"", "\"plastic\""].into_iter().any(|lobes| name.starts_with(lobes))
 }
 
 /// The mode of transport of a question, if nothing else follows.

@@ -1,13 +1,14 @@
 //! Models over the whole sphere, by their forms.
 
-use super::brdf::brdf;
+use super::brdf::{brdf, schlick_1994};
 use super::build::Build;
 use super::distribution::distribution;
 use super::error::{DescriptionError, Problem};
 use super::fresnel::fresnel;
 use crate::distribution::AnyDistribution;
 use crate::interface::{
-    AnyBsdf, AnySmith, Mirror, Plastic, RoughDielectric, SmoothDielectric, ThinDielectric,
+    AnyBsdf, AnySmith, Mirror, Plastic, RoughDielectric, SmoothDielectric, SplitSchlick1994,
+    ThinDielectric,
 };
 use crate::real::Real;
 
@@ -37,6 +38,7 @@ pub(super) fn bsdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBsdf<T>, Description
                 _ => return Err(at.path.key("distribution").error(Problem::NotRefracting)),
             }
         }
+        "schlick_1994" if at.flag("split") => SplitSchlick1994::new(schlick_1994(at)?).into(),
         _ => brdf(at)?.into(),
     })
 }

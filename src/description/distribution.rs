@@ -2,7 +2,9 @@
 
 use super::build::Build;
 use super::error::DescriptionError;
-use crate::distribution::{AnyDistribution, AnyMixture, Beckmann, Blinn, Gaussian, Ggx};
+use crate::distribution::{
+    AnyDistribution, AnyMixture, Beckmann, Blinn, Gaussian, Ggx, Gtr, StudentT,
+};
 use crate::real::Real;
 
 pub(super) fn distribution<T: Real>(
@@ -13,6 +15,12 @@ pub(super) fn distribution<T: Real>(
         "beckmann" => at.rough(Beckmann::new, Beckmann::anisotropic)?.into(),
         "ggx" => at.rough(Ggx::new, Ggx::anisotropic)?.into(),
         "blinn" => at.made(Blinn::new(at.number("exponent")?))?.into(),
+        "gtr" => at.made(Gtr::new(at.number("roughness")?, at.number("gamma")?))?.into(),
+        "student_t" => {
+            let gamma = at.number("gamma")?;
+            let new = |roughness| StudentT::new(roughness, gamma);
+            at.rough(new, |x, y| StudentT::anisotropic(x, y, gamma))?.into()
+        }
         "mixture" => {
             let terms = at.terms(|term| {
                 Ok((term.number("weight")?, term.part("distribution", distribution)?))

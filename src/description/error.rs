@@ -109,7 +109,7 @@ impl fmt::Display for Problem {
 /// Whether the parameter is no key but the sum of weights of a list.
 fn is_of_list(error: &ParameterError) -> bool {
     (error.parameter().contains("weight") && error.parameter() != "weight")
-        || error.parameter() == "number of layers"
+        || error.parameter().starts_with("number of ")
 }
 
 impl Error for DescriptionError {}

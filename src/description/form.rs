@@ -3,15 +3,22 @@
 use alloc::vec;
 
 use super::value::{Described, Numbers, Value};
-use crate::diffuse::{Lambert, OrenNayar};
-use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
+use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
+use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx, Gtr, StudentT};
+use crate::error::ParameterError;
 use crate::fresnel::{
-    BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Stack,
+    BelcourBarla, Conductor, Constant, Cook, Dielectric, F82, F82Tint, GeneralSchlick, Gulbrandsen,
+    Hall, Lazanyi, Stack,
 };
-use crate::glossy::{BlinnPhong, Phong, SchlickPower};
+use crate::glossy::check_lobes;
+use crate::glossy::check_schlick_layers;
+use crate::glossy::{
+    AshikhminShirley, BlinnPhong, Lafortune, Phong, Schlick1994, SchlickPower, Ward,
+};
 use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
-use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
+use crate::polarization::check_count as check_layers;
 
 /// A form of description: its name and what stands behind it.
 ///
@@ -153,14 +160,23 @@ macro_rules! form {
     }};
 }
 
-static BRDF_FORMS: [Form; 12] = [
+static BRDF_FORMS: [Form; 21] = [
     form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
     form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
+    form!(Brdf "oren_nayar_full": Keys <OrenNayarFull>::PARAMETERS),
+    form!(Brdf "fujii": Keys <Fujii>::PARAMETERS),
+    form!(Brdf "fon": Keys <Fon>::PARAMETERS),
+    form!(Brdf "eon": Keys <Eon>::PARAMETERS),
     form!(Brdf "phong": Keys <Phong>::PARAMETERS),
     form!(Brdf "blinn_phong": Keys <BlinnPhong>::PARAMETERS),
     form!(Brdf "schlick_power": Keys <SchlickPower>::PARAMETERS),
+    form!(Brdf "ward": Keys <Ward>::PARAMETERS),
+    form!(Brdf "ashikhmin_shirley": Keys <AshikhminShirley>::PARAMETERS),
+    form!(Brdf "lafortune": Keys <Lafortune>::PARAMETERS),
+    form!(Brdf "schlick_1994": Keys <Schlick1994>::PARAMETERS),
     form!(Brdf "minnaert": Keys <Minnaert>::PARAMETERS),
     form!(Brdf "lommel_seeliger": Keys <LommelSeeliger>::PARAMETERS),
+    form!(Brdf "hapke": Keys <Hapke>::PARAMETERS),
     form!(Brdf "cook_torrance": Keys &[FACETS, REFLECTANCE, SHADOWING]),
     form!(Brdf "torrance_sparrow_1967": Keys &[
         model!(@row c: T, SHARPNESS_1967, "c", "sharpness of the distribution, 1/degree"),
@@ -191,14 +207,18 @@ static SPHERE_FORMS: [Form; 5] = [
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 17] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 26] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
-static FRESNEL_FORMS: [Form; 9] = [
+static FRESNEL_FORMS: [Form; 13] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
     form!(Fresnel "dielectric": Keys <Dielectric>::PARAMETERS),
     form!(Fresnel "conductor": Keys <Conductor>::PARAMETERS),
     form!(Fresnel "metal": Value &METAL),
     form!(Fresnel "schlick": Keys <GeneralSchlick>::PARAMETERS),
+    form!(Fresnel "lazanyi": Keys <Lazanyi>::PARAMETERS),
+    form!(Fresnel "f82": Keys <F82>::PARAMETERS),
+    form!(Fresnel "f82_tint": Keys <F82Tint>::PARAMETERS),
+    form!(Fresnel "gulbrandsen": Keys <Gulbrandsen>::PARAMETERS),
     form!(Fresnel "hall": Keys <Hall>::PARAMETERS),
     form!(Fresnel "cook": Keys <Cook>::PARAMETERS),
     form!(Fresnel "stack": Keys <Stack>::PARAMETERS),
@@ -211,8 +231,28 @@ pub(super) fn white() -> Described {
     Described { form, values: vec![Value::Numbers(Numbers::One(1.0))] }
 }
 
-/// A layer of a stack.
-pub(super) static LAYER: Form = form!(Fresnel "layers": Terms <Stack>::LAYER);
+/// What stands in the list of a key, and how many there may be.
+pub(super) struct List {
+    pub(super) term: Form,
+    pub(super) check_count: fn(usize) -> Result<(), ParameterError>,
+}
+
+/// The lists of all keys.
+static LISTS: [List; 3] = [
+    List { term: form!(Fresnel "layers": Terms <Stack>::LAYER), check_count: check_layers },
+    List {
+        term: form!(Brdf "layers": Terms <Schlick1994>::LAYER),
+        check_count: check_schlick_layers,
+    },
+    List { term: form!(Brdf "lobes": Terms <Lafortune>::LOBE), check_count: check_lobes },
+];
+
+impl List {
+    /// The list whose terms have these parameters.
+    pub(super) fn of(parameters: &[Parameter]) -> Option<&'static Self> {
+        LISTS.iter().find(|list| list.term.parameters() == parameters)
+    }
+}
 
 /// An index of each channel.
 pub(super) static INDICES: Form = form!(Fresnel "index": Keys <Conductor>::PARAMETERS);
@@ -222,11 +262,13 @@ pub(super) static MATERIAL: Form = form!(Fresnel "index": Keys &[Parameter::new(
     "material", "", "key, symbol or name of a measured material", Kind::Text,
 )]);
 
-static DISTRIBUTION_FORMS: [Form; 5] = [
+static DISTRIBUTION_FORMS: [Form; 7] = [
     form!(Distribution "gaussian": Keys <Gaussian>::PARAMETERS),
     form!(Distribution "beckmann": Keys <Beckmann>::PARAMETERS),
     form!(Distribution "ggx": Keys <Ggx>::PARAMETERS),
     form!(Distribution "blinn": Keys <Blinn>::PARAMETERS),
+    form!(Distribution "gtr": Keys <Gtr>::PARAMETERS),
+    form!(Distribution "student_t": Keys <StudentT>::PARAMETERS),
     form!(Distribution "mixture": Terms &[
         model!(@row weight: T, WEIGHT, "w", "weight, divided by the sum of all weights"),
         Parameter::new("distribution", "D", "the distribution", Kind::Part(Part::Distribution)),

@@ -6,8 +6,8 @@ use super::build::Build;
 use super::error::{DescriptionError, Problem};
 use super::metal::metal;
 use crate::fresnel::{
-    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Schlick,
-    Stack,
+    AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, F82, F82Tint, GeneralSchlick,
+    Gulbrandsen, Hall, Lazanyi, Schlick, Stack,
 };
 use crate::polarization::{Complex, Layer};
 use crate::real::{Real, Vector};
@@ -31,6 +31,16 @@ pub(super) fn fresnel<T: Real>(at: &Build<'_, T>) -> Result<AnyFresnel<T>, Descr
         "schlick" => {
             let (f0, f90) = (at.color("f0")?, at.color("f90")?);
             at.made(GeneralSchlick::new(f0, f90, at.number("exponent")?))?.into()
+        }
+        "lazanyi" => {
+            let (f0, a) = (at.color("f0")?, at.color("a")?);
+            at.made(Lazanyi::new(f0, a, at.color("alpha")?))?.into()
+        }
+        "f82" => at.made(F82::new(at.color("f0")?, at.color("f82")?))?.into(),
+        "f82_tint" => at.made(F82Tint::new(at.color("f0")?, at.color("tint")?))?.into(),
+        "gulbrandsen" => {
+            let (reflectivity, tint) = (at.color("reflectivity")?, at.color("edge_tint")?);
+            at.made(Gulbrandsen::new(reflectivity, tint))?.into()
         }
         "hall" => {
             let f0 = at.color("f0")?;

@@ -14,12 +14,11 @@ use serde::de::{
 
 use super::check::{check, has_smith};
 use super::error::Problem;
-use super::form::{Content, Form, INDICES, LAYER, MATERIAL, Room, white};
+use super::form::{Content, Form, INDICES, List, MATERIAL, Room, white};
 use super::leaf::{AllWords, OneOrEach, Text, Word, Words};
 use super::place::{Place, Progress, Record};
 use super::value::{Described, Numbers, Value};
 use crate::parameter::{Kind, Parameter, Part, Preset};
-use crate::polarization::check_count;
 
 /// Reads a whole description.
 pub(super) fn read<'de, D: Deserializer<'de>>(part: Part, from: D) -> Result<Described, D::Error> {
@@ -177,7 +176,10 @@ impl<'de> DeserializeSeed<'de> for ValueAt<'_> {
         let read = match parameter.kind {
             Kind::Part(part) => FormAt(place, Room::of(part)).deserialize(from).map(Value::Form),
             Kind::Medium(..) => from.deserialize_any(MediumAt(&place, parameter)),
-            Kind::List(_) => from.deserialize_seq(Layers(&place)).map(Value::List),
+            Kind::List(parameters) => match List::of(parameters) {
+                Some(list) => from.deserialize_seq(Listed(&place, list)).map(Value::List),
+                None => Err(D::Error::custom("no list of these is known")),
+            },
             Kind::Flag => bool::deserialize(from).map(Value::Flag),
             Kind::Text => from.deserialize_str(Text).map(Value::Text),
             Kind::Word(words) => {
@@ -254,37 +256,43 @@ fn term<'de, D: Deserializer<'de>>(
     read.map(Value::Term).inspect_err(|_| place.note_failure())
 }
 
-/// The layers of a stack.
-struct Layers<'a>(&'a Place<'a>);
+/// The terms of a key.
+struct Listed<'a>(&'a Place<'a>, &'static List);
 
-impl<'de> Visitor<'de> for Layers<'_> {
+impl<'de> Visitor<'de> for Listed<'_> {
     type Value = Vec<Value>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list of layers")
+        write!(f, "a list of {}", self.1.term.name())
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Vec<Value>, A::Error> {
-        let mut layers = Vec::new();
-        while let Some(layer) = list.next_element_seed(LayerAt(self.0, layers.len()))? {
-            layers.push(layer);
+        let Self(place, expected) = self;
+        let mut terms = Vec::new();
+        while let Some(term) = list.next_element_seed(OneMore(place, expected, terms.len()))? {
+            terms.push(term);
         }
-        Ok(layers)
+        if terms.is_empty() {
+            (expected.check_count)(0).map_err(|error| {
+                place.refuse::<A::Error>(place.path().error(Problem::Parameter(error)))
+            })?;
+        }
+        Ok(terms)
     }
 }
 
-/// One more layer, if there may be one more.
-struct LayerAt<'a>(&'a Place<'a>, usize);
+/// One more term of a key, if there may be one more.
+struct OneMore<'a>(&'a Place<'a>, &'static List, usize);
 
-impl<'de> DeserializeSeed<'de> for LayerAt<'_> {
+impl<'de> DeserializeSeed<'de> for OneMore<'_> {
     type Value = Value;
 
     fn deserialize<D: Deserializer<'de>>(self, from: D) -> Result<Value, D::Error> {
-        let Self(list, index) = self;
-        check_count(index + 1).map_err(|error| {
-            list.refuse::<D::Error>(list.path().error(Problem::Parameter(error)))
+        let Self(place, list, index) = self;
+        (list.check_count)(index + 1).map_err(|error| {
+            place.refuse::<D::Error>(place.path().error(Problem::Parameter(error)))
         })?;
-        term(&list.index(index), &LAYER, from)
+        term(&place.index(index), &list.term, from)
     }
 }
 

@@ -4,8 +4,10 @@ use super::beckmann::Beckmann;
 use super::blinn::Blinn;
 use super::gaussian::Gaussian;
 use super::ggx::Ggx;
+use super::gtr::Gtr;
 use super::mixture::{Mixture, weights};
 use super::spread::Spreads;
+use super::student_t::StudentT;
 use super::traits::Distribution;
 use crate::block::{DirectionBlock, Plane, UniformBlock};
 use crate::error::ParameterError;
@@ -36,6 +38,10 @@ members! {
         Ggx(Ggx<T>),
         /// Blinn's power of the cosine.
         Blinn(Blinn<T>),
+        /// The generalised distribution of Trowbridge and Reitz.
+        Gtr(Gtr<T>),
+        /// Slopes of Student's t-distribution.
+        StudentT(StudentT<T>),
         /// A weighted mean of the others.
         Mixture(AnyMixture<T>),
     }

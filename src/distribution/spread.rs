@@ -31,6 +31,10 @@ enum Tail<T> {
     Ellipsoid,
     /// cosⁿ⁺²θ_h = (1 + tan²θ_h)^(−g), of g; q = asinh tanθ_h.
     Power(T),
+    /// (1 + r²/g)^(−g), of g; q = asinh(r/√g).
+    Student(T),
+    /// ∫ 2π `peak` (1 + …)^(−`gamma`) cosθ_h sinθ_h dθ_h, the generalised ellipsoid; q = asinh(tanθ_h/`roughness`).
+    Trowbridge { roughness: T, gamma: T, peak: T },
     /// ∫ `peak` π sin 2θ_h exp(−θ_h² `steepness`) dθ_h; q = θ_h.
     Angle { peak: T, steepness: T },
 }
@@ -47,6 +51,8 @@ pub(crate) struct Tilt<T> {
 
 /// Beyond this q the tail of a normal distribution is below 2·10⁻¹².
 const NORMAL_END: f64 = 5.2;
+/// Beyond this tangent a density that is even towards grazing leaves out 10⁻¹² of the facets.
+const LAST_TANGENT: f64 = 1e6;
 /// −ln of the part of the facets, 10⁻¹², that is left out at the end of the other tails.
 const LEFT_OUT: f64 = 27.631021115928547;
 
@@ -55,7 +61,7 @@ impl<T: Real> Spread<T> {
         Self { along, tail: Tail::Normal }
     }
 
-    pub(super) fn ellipsoid(along: [T; 2]) -> Self {
+    pub(crate) fn ellipsoid(along: [T; 2]) -> Self {
         Self { along, tail: Tail::Ellipsoid }
     }
 
@@ -70,6 +76,16 @@ impl<T: Real> Spread<T> {
         Self { along: [T::one(); 2], tail: Tail::Angle { peak, steepness } }
     }
 
+    /// For the g = γ − 1 of Student's slopes.
+    pub(super) fn student(along: [T; 2], degrees: T) -> Self {
+        Self { along, tail: Tail::Student(degrees) }
+    }
+
+    /// For D that is `peak` where it is largest.
+    pub(super) fn trowbridge(roughness: T, gamma: T, peak: T) -> Self {
+        Self { along: [T::one(); 2], tail: Tail::Trowbridge { roughness, gamma, peak } }
+    }
+
     /// All facets, if they are of this kind.
     pub(super) fn of_all(self) -> Option<Spreads<T>> {
         Some(vec![(T::one(), self)])
@@ -82,7 +98,7 @@ impl<T: Real> Spread<T> {
 
     /// Whether there are steep facets, as many as the square of the cotangent of their tilt.
     pub(crate) fn has_steep_facets(&self) -> bool {
-        matches!(self.tail, Tail::Ellipsoid)
+        matches!(self.tail, Tail::Ellipsoid | Tail::Student(_) | Tail::Trowbridge { .. })
     }
 
     /// q of the tangent `tan` where the slopes of the plane have the length `per_r`, at most the q up
@@ -92,6 +108,8 @@ impl<T: Real> Spread<T> {
         match self.tail {
             Tail::Normal => (tan / per_r).min(T::lit(NORMAL_END)),
             Tail::Ellipsoid => asinh((tan / per_r).min(last_tangent(T::one()))),
+            Tail::Student(g) => asinh((tan / (per_r * g.sqrt())).min(last_tangent(g))),
+            Tail::Trowbridge { roughness, .. } => asinh(tan.min(T::lit(LAST_TANGENT)) / roughness),
             Tail::Power(g) => asinh(tan.min(last_tangent(g))),
             Tail::Angle { steepness, .. } => {
                 tan.atan2(T::one()).min(T::lit(NORMAL_END) / steepness.sqrt())
@@ -111,6 +129,28 @@ impl<T: Real> Spread<T> {
                 let r = T::lit(0.5) * (rising - falling);
                 let inverse = two / (rising + falling);
                 Tilt { sin: r, cos: one, density: two * r * (inverse * inverse * inverse) }
+            }
+            Tail::Student(g) => {
+                let rising = q.exp();
+                let falling = one / rising;
+                let (sinh, cosh) =
+                    (T::lit(0.5) * (rising - falling), T::lit(0.5) * (rising + falling));
+                let beyond = (-(cosh.ln() * (two * g + one))).exp();
+                Tilt { sin: g.sqrt() * sinh, cos: one, density: two * g * sinh * beyond }
+            }
+            Tail::Trowbridge { roughness, gamma, peak } => {
+                let rising = q.exp();
+                let falling = one / rising;
+                let (sinh, cosh) =
+                    (T::lit(0.5) * (rising - falling), T::lit(0.5) * (rising + falling));
+                let tan = roughness * sinh;
+                let whole = one + tan.squared();
+                // From where D is largest: the normal for a roughness below 1, else the horizon.
+                let rough = one.lt(roughness);
+                let part = T::select(rough, roughness.squared() * cosh.squared(), cosh.squared());
+                let power = (-(gamma * (part / whole).ln())).exp();
+                let density = peak * T::lit(2.0 * PI) * tan * power / whole.squared();
+                Tilt { sin: tan, cos: one, density: density * (roughness * cosh) }
             }
             Tail::Power(g) => {
                 let tan = sinh(q);

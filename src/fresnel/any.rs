@@ -3,8 +3,11 @@ use super::belcour_barla::BelcourBarla;
 use super::conductor::Conductor;
 use super::constant::Constant;
 use super::dielectric::Dielectric;
+use super::f82::{F82, F82Tint};
 use super::general_schlick::GeneralSchlick;
+use super::gulbrandsen::Gulbrandsen;
 use super::interpolation::{Cook, Hall};
+use super::lazanyi::Lazanyi;
 use super::schlick::Schlick;
 use super::stack::Stack;
 use super::term::Fresnel;
@@ -44,6 +47,14 @@ members! {
         Schlick(Schlick<C>),
         /// Schlick's approximation with a colour at the edge and an exponent.
         GeneralSchlick(GeneralSchlick<C, T>),
+        /// Lazányi and Szirmay-Kalos' correction of it.
+        Lazanyi(Lazanyi<C>),
+        /// Hoffman's correction of it.
+        F82(F82<C>),
+        /// The same by a tint.
+        F82Tint(F82Tint<C>),
+        /// Gulbrandsen's metals for artists.
+        Gulbrandsen(Gulbrandsen<C>),
         /// Hall's interpolation, driven by a transparent medium.
         Hall(Hall<C, Dielectric<T>>),
         /// Hall's interpolation, driven by an absorbing medium.
@@ -67,6 +78,7 @@ impl<T: Real, C: Color<T>> AnyFresnel<T, C> {
         match self {
             Self::Dielectric(term) => Some(term.amplitudes(cos_theta)),
             Self::Conductor(term) => Some(term.amplitudes(cos_theta)),
+            Self::Gulbrandsen(term) => Some(term.amplitudes(cos_theta)),
             Self::Stack(term) => Some(term.amplitudes(cos_theta)),
             _ => None,
         }

@@ -204,7 +204,7 @@ impl<T: Real> Refraction<T> {
 ///
 /// For n < 1 and small k the reflectance has a kink near the critical angle. The integral is split
 /// there, and the nodes crowd there as squares.
-fn average<T: Real>(eta: T, k: T) -> T {
+pub(super) fn average<T: Real>(eta: T, k: T) -> T {
     let (zero, one) = (T::zero(), T::one());
     let split_squared = ((one - eta) * (one + eta) + k * k).clamp(zero, one);
     let splits = split_squared.gt(zero);

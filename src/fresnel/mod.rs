@@ -1,19 +1,23 @@
 //! Reflectance of a smooth surface.
 //!
-//! [`Dielectric`] and [`Conductor`] are Fresnel's equations, exact, [`Stack`] those of coherent films, and
+//! [`Dielectric`] and [`Conductor`] are Fresnel's equations, exact, [`Gulbrandsen`] those of an artist's metal, [`Stack`] those of coherent films, and
 //! [`BelcourBarla`] the colour of a film over the whole spectrum; [`Schlick`], [`GeneralSchlick`],
-//! [`Hall`] and [`Cook`] approximate them from the colour at normal incidence. [`forms`] has the equations as
+//! [`Lazanyi`], [`F82`], [`F82Tint`], [`Hall`] and [`Cook`] approximate them from the colour at normal incidence. [`forms`] has the equations as
 //! they are printed in textbooks.
 
 mod amplitudes;
 mod any;
 mod belcour_barla;
+mod clamped;
 mod conductor;
 mod constant;
 mod dielectric;
+mod f82;
 pub mod forms;
 mod general_schlick;
+mod gulbrandsen;
 mod interpolation;
+mod lazanyi;
 mod normal_incidence;
 mod schlick;
 mod stack;
@@ -27,8 +31,11 @@ pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
 pub use dielectric::{Dielectric, dielectric_polarized};
 pub(crate) use dielectric::{average as dielectric_average, split, split_polarized};
+pub use f82::{F82, F82Tint};
 pub use general_schlick::GeneralSchlick;
+pub use gulbrandsen::Gulbrandsen;
 pub use interpolation::{Cook, Hall};
+pub use lazanyi::Lazanyi;
 pub use normal_incidence::{index_from_normal_incidence, normal_incidence};
 pub use schlick::Schlick;
 pub use stack::Stack;

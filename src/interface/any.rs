@@ -4,6 +4,7 @@ use super::opaque::Opaque;
 use super::plastic::Plastic;
 use super::rough::RoughDielectric;
 use super::smooth::SmoothDielectric;
+use super::split_schlick::SplitSchlick1994;
 use super::thin::ThinDielectric;
 use crate::any::AnyBrdf;
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
@@ -38,6 +39,8 @@ members! {
         Mirror(Mirror<AnyFresnel<T, C>>),
         /// Lambert's surface under a smooth dielectric.
         Plastic(Plastic<C, T>),
+        /// Schlick's model of 1994 with its mirror part.
+        SplitSchlick1994(SplitSchlick1994<C, T>),
         /// A smooth interface.
         SmoothDielectric(SmoothDielectric<C, T>),
         /// A thin plate.

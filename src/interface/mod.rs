@@ -12,6 +12,7 @@ mod refracted;
 mod rough;
 mod side;
 mod smooth;
+mod split_schlick;
 mod thin;
 mod two_sided;
 
@@ -24,5 +25,6 @@ pub use plastic::Plastic;
 pub(crate) use rough::ROUGH_IOR;
 pub use rough::RoughDielectric;
 pub use smooth::SmoothDielectric;
+pub use split_schlick::SplitSchlick1994;
 pub use thin::ThinDielectric;
 pub use two_sided::TwoSided;

@@ -63,6 +63,28 @@ where
     Some(color.only_where(above_surface::<T, _>(wo)))
 }
 
+/// ∫ f cosθᵢ dωᵢ of a lobe f = D v, of v cosθᵢ for the mirror image of the viewer in a facet, which is
+/// smooth but for a root at the horizon.
+pub(crate) fn over_facets<T: Real, C: Color<T>>(
+    spreads: &[(T, Spread<T>)],
+    wo: T::Vec3,
+    value: impl Fn(&Pair<T>) -> C,
+) -> C {
+    let viewer = Viewer::new(wo);
+    let reflected =
+        |facet: &Pair<T>, scale: T| Reflected { color: value(facet) * scale, white: T::zero() };
+    let mut all = C::splat(T::zero());
+    for (part, spread) in spreads {
+        let kinks = Kinks::None;
+        let rays = Rays { spread: *spread, kinks, reflectance: None, wo: viewer.wo };
+        let planes = Planes::new(spread, kinks, None, &viewer);
+        let of_plane = |plane: &Plane<T>| rays.up_to_the_horizon(plane, &reflected);
+        let sum = planes.integral(&of_plane, Reflected::choose);
+        all = all + sum.color * (*part * T::lit(4.0 / TAU));
+    }
+    all
+}
+
 /// Every channel by the integral that is cut at its own kink, or by that without, where the kink is
 /// at 0.
 fn channel_by_channel<T: Real, C: Color<T>>(kinks: C, of_kink: impl Fn(Option<T>) -> C) -> C {
@@ -167,6 +189,20 @@ impl<T: Real> Rays<T> {
                 sum
             }
         }
+    }
+
+    /// The same of a formula with a root at the horizon.
+    fn up_to_the_horizon<C: Color<T>>(
+        &self,
+        plane: &Plane<T>,
+        reflected: &impl Fn(&Pair<T>, T) -> Reflected<T, C>,
+    ) -> Reflected<T, C> {
+        let [x, y] = plane.slopes;
+        let per_r = (x.squared() + y.squared()).sqrt();
+        let a = (x * self.wo.x() + y * self.wo.y()) / (self.wo.z() * per_r);
+        let [_, _, last] = ends(a);
+        let last = self.spread.coordinate(last, per_r);
+        pieces([T::zero(), last], |q| self.facet(plane, self.spread.at(q), reflected))
     }
 
     #[inline(never)]

@@ -16,6 +16,7 @@ mod v_cavity;
 
 pub use any_shadowing::AnyShadowing;
 pub use cook_torrance::CookTorrance;
+pub(crate) use directional_albedo::over_facets;
 pub use historical::{Blinn1977Printed, CookTorrance1982Printed};
 pub(crate) use polarized::facet;
 pub use scaled::Scaled;

@@ -6,7 +6,7 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub(crate) const FRESNEL: [&str; 18] = [
+pub(crate) const FRESNEL: [&str; 22] = [
     r#"{"constant":0.5}"#,
     r#"{"constant":[0.25,0.5,1]}"#,
     r#"{"dielectric":{"ior":1.5}}"#,
@@ -15,6 +15,10 @@ pub(crate) const FRESNEL: [&str; 18] = [
     r#"{"metal":"Au"}"#,
     r#"{"schlick":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"schlick":{"f0":0.04,"f90":[0.9,0.6,0.3],"exponent":3}}"#,
+    r#"{"lazanyi":{"f0":[0.9,0.6,0.3],"a":1.5,"alpha":[6,5,4]}}"#,
+    r#"{"f82":{"f0":[0.9,0.6,0.3],"f82":0.5}}"#,
+    r#"{"f82_tint":{"f0":[0.9,0.6,0.3]}}"#,
+    r#"{"gulbrandsen":{"reflectivity":[0.9,0.6,0.3],"edge_tint":0.5}}"#,
     r#"{"hall":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"hall":{"f0":0.5,"ior":1.3}}"#,
     r#"{"hall":{"f0":[0.95,0.64,0.54],"ior":[1.02,2.577]}}"#,
@@ -27,29 +31,43 @@ pub(crate) const FRESNEL: [&str; 18] = [
     r#"{"belcour_barla":{"film":1.33,"thickness":300,"substrate":{"eta":0.5,"k":2.5},"outside":1.1}}"#,
 ];
 
-pub(crate) const DISTRIBUTIONS: [&str; 9] = [
+pub(crate) const DISTRIBUTIONS: [&str; 11] = [
     r#"{"gaussian":{"roughness":0.3}}"#,
     r#"{"beckmann":{"roughness":0.3}}"#,
     r#"{"beckmann":{"roughness":[0.2,0.5]}}"#,
     r#"{"ggx":{"roughness":1}}"#,
     r#"{"ggx":{"roughness":[0.1,0.4]}}"#,
     r#"{"blinn":{"exponent":40}}"#,
+    r#"{"gtr":{"roughness":0.3,"gamma":1.5}}"#,
+    r#"{"student_t":{"roughness":[0.1,0.4],"gamma":3}}"#,
     r#"{"mixture":[{"weight":2,"distribution":{"beckmann":{"roughness":0.2}}},{"weight":3,"distribution":{"beckmann":{"roughness":0.5}}}]}"#,
     r#"{"mixture":[{"weight":1,"distribution":{"ggx":{"roughness":0.2}}},{"weight":3,"distribution":{"beckmann":{"roughness":0.5}}}]}"#,
     r#"{"mixture":[{"weight":1,"distribution":{"blinn":{"exponent":10}}},{"weight":3,"distribution":{"mixture":[{"weight":1,"distribution":{"gaussian":{"roughness":0.2}}},{"weight":1,"distribution":{"ggx":{"roughness":0.4}}}]}}]}"#,
 ];
 
-pub(crate) const SIMPLE: [&str; 13] = [
+pub(crate) const SIMPLE: [&str; 25] = [
     r#"{"lambert":{"albedo":0.5}}"#,
     r#"{"lambert":{"albedo":[0.1,0.2,0.3]}}"#,
     r#"{"oren_nayar":{"albedo":0.5,"sigma":0.3}}"#,
     r#"{"oren_nayar":{"albedo":0.5,"sigma":0.3,"interreflection":true}}"#,
+    r#"{"oren_nayar_full":{"albedo":0.5,"sigma":0.3,"interreflection":false}}"#,
+    r#"{"fujii":{"albedo":0.5,"sigma":0.3}}"#,
+    r#"{"fon":{"albedo":0.5,"roughness":0.3}}"#,
+    r#"{"eon":{"albedo":[0.1,0.2,0.3],"roughness":0.3}}"#,
     r#"{"phong":{"specular":0.5,"exponent":10}}"#,
     r#"{"phong":{"specular":0.5,"exponent":10,"normalized":false}}"#,
     r#"{"blinn_phong":{"specular":[0.5,0.6,0.7],"exponent":10}}"#,
     r#"{"blinn_phong":{"specular":0.5,"exponent":10,"normalized":false}}"#,
     r#"{"schlick_power":{"specular":0.5,"exponent":10}}"#,
     r#"{"schlick_power":{"specular":0.5,"exponent":10,"normalized":false}}"#,
+    r#"{"ward":{"specular":0.5,"roughness":[0.1,0.3]}}"#,
+    r#"{"ward":{"specular":0.5,"roughness":0.1,"form":"ward_1992"}}"#,
+    r#"{"ashikhmin_shirley":{"specular":0.1,"diffuse":[0.5,0.4,0.3],"exponent":[10,100]}}"#,
+    r#"{"lafortune":{"lobes":[{"c":[-1,-1,0.9],"exponent":10},{"c":0.5,"exponent":3,"specular":[0.5,0.4,0.3]}]}}"#,
+    r#"{"hapke":{"w":[0.1,0.2,0.3]}}"#,
+    r#"{"hapke":{"w":0.5,"xi":-0.3,"b0":1,"h":0.1,"theta_bar":0.3,"h_function":"1981"}}"#,
+    r#"{"schlick_1994":{"layers":[{"specular":0.5,"roughness":0.3}]}}"#,
+    r#"{"schlick_1994":{"layers":[{"specular":0.1,"roughness":0.3},{"specular":[0.5,0.4,0.3],"roughness":0.8,"isotropy":0.5}],"shadowing":"none","split":true}}"#,
     r#"{"torrance_sparrow_1967":{"c":0.05,"fresnel":{"dielectric":{"ior":1.5}}}}"#,
     r#"{"cook_torrance_1982_printed":{"roughness":[0.2,0.3],"fresnel":{"metal":"copper"}}}"#,
     r#"{"sum":[{"weight":[0.5,0.25,0.125],"brdf":{"lambert":{"albedo":0.5}}},{"weight":0.5,"brdf":{"sum":[{"weight":1,"brdf":{"phong":{"specular":1,"exponent":3}}}]}}]}"#,
@@ -65,7 +83,8 @@ pub(crate) fn models() -> Vec<String> {
             ));
         }
         for distribution in DISTRIBUTIONS {
-            let smith = !distribution.contains("gaussian") && !distribution.contains("blinn");
+            let smith =
+                !["gaussian", "blinn", "gtr", "student"].iter().any(|it| distribution.contains(it));
             models.push(format!(
                 r#"{{"cook_torrance":{{"distribution":{distribution},"fresnel":{fresnel}}}}}"#
             ));

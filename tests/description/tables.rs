@@ -227,17 +227,29 @@ fn every_value_has_its_type() {
                 let both = json!({"eta": 1, "k": 0, "material": "Au"});
                 refuse(both, ".material: `material` must be the only key of its object");
             }
-            Kind::List(_) => {
-                refuse(json!(0), ": invalid type: integer `0`, expected a list of layers at");
+            Kind::List(parameters) => {
+                let name = parameter.name;
+                let list = format!(": invalid type: integer `0`, expected a list of {name} at");
+                refuse(json!(0), &list);
                 refuse(
                     json!([0]),
                     "[0]: invalid type: integer `0`, expected an object with the keys",
                 );
-                refuse(json!([{"index": 1}]), "[0].thickness: this key is missing");
-                let thick = json!([{"index": 1, "thickness": 1}, {"index": 1, "thickness": -1}]);
-                refuse(thick, "[1].thickness must be between 0 and 1e9, not -1");
-                let many = vec![json!({"index": 1, "thickness": 1}); 65];
-                refuse(json!(many), ": number of layers must be between 0 and 64, not 65");
+                let keys = parameters.iter().map(|it| (it.name.to_owned(), example(it)));
+                let term = Value::Object(keys.collect());
+                let (least, most) = match (form.name(), name) {
+                    ("schlick_1994", _) => (1, 2),
+                    _ => (0, 64),
+                };
+                let many = json!(vec![term; most + 1]);
+                let count = format!("between {least} and {most}, not {}", most + 1);
+                refuse(many, &format!(": number of {name} must be {count}"));
+                if form.name() == "stack" {
+                    refuse(json!([{"index": 1}]), "[0].thickness: this key is missing");
+                    let thick =
+                        json!([{"index": 1, "thickness": 1}, {"index": 1, "thickness": -1}]);
+                    refuse(thick, "[1].thickness must be between 0 and 1e9, not -1");
+                }
             }
             Kind::Flag => refuse(json!(0), ": invalid type: integer `0`, expected a boolean at"),
             Kind::Text => refuse(json!(0), ": invalid type: integer `0`, expected a text at"),
@@ -325,7 +337,8 @@ fn any_value(parameter: &'static Parameter, depth: u32) -> BoxedStrategy<Value> 
                 .map(|it| any_value(it, depth).prop_map(|value| (it.name.to_owned(), value)));
             let object =
                 keys.collect::<Vec<_>>().prop_map(|keys| Value::Object(keys.into_iter().collect()));
-            proptest::collection::vec(object, 0..3).prop_map(Value::from).boxed()
+            let least = usize::from(parameters.iter().any(|it| it.name == "isotropy"));
+            proptest::collection::vec(object, least..3).prop_map(Value::from).boxed()
         }
         Kind::Flag => any::<bool>().prop_map(Value::from).boxed(),
         Kind::Text => proptest::sample::select(vec!["Au", "copper"]).prop_map(Value::from).boxed(),

@@ -56,7 +56,13 @@ impl Line {
 
     /// Whether the model answers for viewers below the surface.
     fn is_open(&self) -> bool {
-        !matches!(self.model(), AnyBsdf::Opaque(_) | AnyBsdf::Mirror(_) | AnyBsdf::Plastic(_))
+        !matches!(
+            self.model(),
+            AnyBsdf::Opaque(_)
+                | AnyBsdf::Mirror(_)
+                | AnyBsdf::Plastic(_)
+                | AnyBsdf::SplitSchlick1994(_)
+        )
     }
 }
 

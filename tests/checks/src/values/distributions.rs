@@ -3,20 +3,23 @@
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_4, PI, TAU};
 
 use brdf::{
-    Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Mixture, ParameterError, Smith,
-    Vector, from_spherical, to_spherical,
+    Beckmann, Blinn, Blinn1977, Distribution, Gaussian, Ggx, Gtr, Mixture, ParameterError, Smith,
+    StudentT, Vector, from_spherical, to_spherical,
 };
 use glam::DVec3;
 
 use super::reference::{Case, each};
 use super::{Check, Number, Verdict, fail, near, plain, vector};
 
-pub(super) fn all<T: Number>() -> [Check; 11] {
+pub(super) fn all<T: Number>() -> [Check; 14] {
     [
         ("density of Beckmann", beckmann::<T>),
         ("density of GGX", ggx::<T>),
         ("density of Gaussian", gaussian::<T>),
         ("density of Blinn", blinn::<T>),
+        ("density of GTR", gtr::<T>),
+        ("density of Student's t and its Λ", student_t::<T>),
+        ("samples of GTR and Student's t", samples_of_tails::<T>),
         ("anisotropic densities", anisotropic::<T>),
         ("Blinn's distributions of 1977", blinn_1977::<T>),
         ("mixtures", mixtures::<T>),
@@ -61,6 +64,63 @@ fn blinn<T: Number>() -> Verdict {
         let peak = Blinn::from_roughness(T::lit(roughness))?.density(vector::<T>(DVec3::Z));
         let want = FRAC_1_PI / (roughness * roughness);
         near("peak of Blinn", peak, want, 1e-12 * want)?;
+    }
+    Ok(())
+}
+
+fn gtr<T: Number>() -> Verdict {
+    each("D_gtr", |case| {
+        let gtr = Gtr::new(case.input::<T>("alpha_g"), case.input("gamma"))?;
+        case.same("value", gtr.density(case.vector::<T>("m")))
+    })?;
+    // What is 0/0 in print: roughness 1, and γ = 1 beside its neighbours.
+    let h = vector::<T>(from_spherical(0.7, 0.3));
+    for gamma in [0.5, 1.0, 2.0, 3.0] {
+        let even = Gtr::new(T::one(), T::lit(gamma))?.density(h);
+        near("GTR of roughness 1", even, FRAC_1_PI, 1e-14)?;
+    }
+    let of =
+        |gamma| Ok::<f64, ParameterError>(Gtr::new(T::lit(0.2), T::lit(gamma))?.density(h).into());
+    let mean = 0.5 * (of(1.0 - 1e-4)? + of(1.0 + 1e-4)?);
+    near("GTR of γ = 1", T::lit(of(1.0)?), mean, 1e-6 * mean)
+}
+
+fn student_t<T: Number>() -> Verdict {
+    each("D_student_t", |case| {
+        let student = StudentT::new(case.input::<T>("alpha_g"), case.input("gamma"))?;
+        let h = from_spherical(case.input::<T>("theta_m"), T::lit(0.3));
+        case.same("D", student.density(h))?;
+        let w = from_spherical(case.input::<T>("theta"), T::lit(0.7));
+        case.same("Lambda", student.lambda(w))
+    })?;
+    // With grain, γ = 2 is GGX, and no tail at all is Beckmann's.
+    let h = vector::<T>(from_spherical(0.5, 0.8));
+    let (x, y) = (T::lit(0.2), T::lit(0.5));
+    let ggx = Ggx::anisotropic(x, y)?.density(h).into();
+    near("γ = 2", StudentT::anisotropic(x, y, T::lit(2.0))?.density(h), ggx, 1e-13 * ggx)?;
+    let beckmann: f64 = Beckmann::anisotropic(x, y)?.density(h).into();
+    let short = StudentT::anisotropic(x, y, T::lit(1e6))?.density(h);
+    near("γ = 10⁶", short, beckmann, 1e-5 * beckmann)
+}
+
+/// Numbers along the distribution function: with tan²θ_h the part beyond goes like the printed one.
+fn samples_of_tails<T: Number>() -> Verdict {
+    for (gamma, u) in [(0.6, 0.3), (1.0, 0.7), (1.5, 0.2), (3.0, 0.9), (8.0, 0.6)] {
+        for alpha in [0.1_f64, 0.9, 2.0] {
+            let gtr = Gtr::new(T::lit(alpha), T::lit(gamma))?;
+            let h = plain::<T>(gtr.sample([T::lit(u), T::lit(0.2)]));
+            let square = alpha * alpha;
+            let q = 1.0 + (square - 1.0) * h.z * h.z;
+            let whole: f64 =
+                if gamma == 1.0 { square.ln() } else { square.powf(1.0 - gamma) - 1.0 };
+            let part: f64 = if gamma == 1.0 { q.ln() } else { q.powf(1.0 - gamma) - 1.0 };
+            near("GTR", T::lit(1.0 - part / whole), u, 1e-9)?;
+        }
+        let student = StudentT::new(T::lit(0.4), T::lit(gamma + 1.0))?;
+        let h = plain::<T>(student.sample([T::lit(u), T::lit(0.2)]));
+        let square = (1.0 - h.z * h.z) / (h.z * h.z) / 0.16;
+        let beyond = (1.0 + square / gamma).powf(-gamma);
+        near("Student", T::lit(1.0 - beyond), u, 1e-12)?;
     }
     Ok(())
 }

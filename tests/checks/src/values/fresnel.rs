@@ -3,14 +3,17 @@
 use brdf::fresnel::{
     conductor_polarized, dielectric_polarized, forms, index_from_normal_incidence, normal_incidence,
 };
-use brdf::{Conductor, Constant, Cook, Dielectric, Fresnel, Hall, Schlick};
+use brdf::{
+    Conductor, Constant, Cook, Dielectric, F82, F82Tint, Fresnel, Gulbrandsen, Hall, Lazanyi,
+    Schlick,
+};
 
 use super::reference::each;
 use super::{Check, Number, Verdict, fail, near};
 use crate::slopes::composite;
 use crate::tables::{number, rows};
 
-pub(super) fn all<T: Number>() -> [Check; 11] {
+pub(super) fn all<T: Number>() -> [Check; 15] {
     [
         ("Fresnel of dielectrics", dielectrics::<T>),
         ("Fresnel of conductors", conductors::<T>),
@@ -19,6 +22,10 @@ pub(super) fn all<T: Number>() -> [Check; 11] {
         ("Fresnel of measured indices", measured_indices::<T>),
         ("reflectance at normal incidence", at_normal_incidence::<T>),
         ("Schlick's Fresnel", schlick::<T>),
+        ("Lazányi", lazanyi::<T>),
+        ("F82", f82::<T>),
+        ("Gulbrandsen", gulbrandsen::<T>),
+        ("what leaves 0 … 1", held::<T>),
         ("average Fresnel", averages::<T>),
         ("average Fresnel of Conductor, Hall and Cook", more_averages::<T>),
         ("Hall and Cook", hall_and_cook::<T>),
@@ -176,4 +183,68 @@ fn constant<T: Number>() -> Verdict {
     let constant = Constant::new(T::lit(0.3))?;
     near("reflectance", constant.reflectance(T::lit(0.2)), 0.3, 0.0)?;
     near("average", Fresnel::<T>::average(&constant), 0.3, 0.0)
+}
+
+fn lazanyi<T: Number>() -> Verdict {
+    each("fresnel_lazanyi", |case| {
+        let (f0, a) = (case.input::<T>("f0"), case.input("a"));
+        let term = Lazanyi::new(f0, a, case.input("alpha"))?;
+        case.same("value", term.reflectance(case.input("u")))
+    })?;
+    let (f0, a, alpha) = (0.9, 1.2, 6.5);
+    let term = Lazanyi::new(T::lit(f0), T::lit(a), T::lit(alpha))?;
+    let dip = 4.0 * a / ((alpha + 1.0) * (alpha + 2.0) * (alpha + 3.0));
+    near("average of Lazányi", term.average(), f0 + (1.0 - f0) / 21.0 - dip, 1e-15)
+}
+
+fn f82<T: Number>() -> Verdict {
+    each("fresnel_f82", |case| {
+        let (f0, f82) = (case.input::<T>("f0"), case.input::<T>("f82"));
+        let term = F82::new(f0, f82)?;
+        case.same("F", term.reflectance(case.input("u")))?;
+        case.same("F_avg", term.average())?;
+        // b is what is missing of Schlick's term, over u (1 − u)⁶.
+        let u = 0.25_f64;
+        let schlick: f64 = Schlick::new(f0)?.reflectance(T::lit(u)).into();
+        let missing = schlick - term.reflectance(T::lit(u)).into();
+        near("b", T::lit(missing / (u * (1.0 - u).powi(6))), case.number_out("b"), 1e-12)?;
+        let at_peak: f64 = Schlick::new(f0)?.reflectance(T::lit(1.0 / 7.0)).into();
+        let tint = case.number("f82") / at_peak;
+        if tint > 1.0 {
+            return Ok(());
+        }
+        let tinted = F82Tint::new(f0, T::lit(tint))?;
+        let cos = case.input("u");
+        near("by its tint", tinted.reflectance(cos), term.reflectance(cos).into(), 1e-14)?;
+        near("average by its tint", tinted.average(), term.average().into(), 1e-14)
+    })
+}
+
+fn gulbrandsen<T: Number>() -> Verdict {
+    each("fresnel_gulbrandsen", |case| {
+        let term = Gulbrandsen::new(case.input::<T>("r"), case.input("g"))?;
+        case.same("n", term.eta())?;
+        case.same("k", term.k())?;
+        case.same("R0", term.reflectance(T::one()))?;
+        let conductor = Conductor::new(term.eta(), term.k())?;
+        let want = conductor.reflectance(T::lit(0.3)).into();
+        near("as a conductor", term.reflectance(T::lit(0.3)), want, 1e-15)?;
+        near("its average", term.average(), conductor.average().into(), 1e-15)
+    })
+}
+
+/// A dip too deep, and an edge too bright: held, and averaged as held.
+fn held<T: Number>() -> Verdict {
+    let term = Lazanyi::new(T::lit(0.1), T::lit(3.0), T::lit(5.0))?;
+    near("held at 0", term.reflectance(T::lit(0.3)), 0.0, 0.0)?;
+    let sum = |reflectance: &dyn Fn(f64) -> f64| {
+        let at = |step: i32| (f64::from(step) + 0.5) / 1e5;
+        (0..100_000).map(|step| 2.0 * at(step) * reflectance(at(step)) / 1e5).sum::<f64>()
+    };
+    let want = sum(&|cos| term.reflectance(T::lit(cos)).into());
+    near("average of what is held at 0", term.average(), want, 2e-4)?;
+    let term = F82::new(T::lit(0.9), T::one())?;
+    near("held at 1", term.reflectance(T::lit(0.2)), 1.0, 0.0)?;
+    let want = sum(&|cos| term.reflectance(T::lit(cos)).into());
+    near("average of what is held at 1", term.average(), want, 2e-4)
 }

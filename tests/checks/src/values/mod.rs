@@ -3,6 +3,7 @@
 //! Each check is written once, over any number whose value is known: it runs over `f64` for what the
 //! formulas say, and over numbers that err for whether it would notice if they said something else.
 
+mod diffuse;
 mod directions;
 mod distributions;
 mod fresnel;
@@ -13,6 +14,7 @@ mod microfacet;
 mod planetary;
 mod polarization;
 mod reference;
+mod schlick_1994;
 
 use std::error::Error;
 
@@ -49,6 +51,8 @@ fn all<T: Number>() -> Vec<Check> {
         &distributions::all::<T>(),
         &microfacet::all::<T>(),
         &lobes::all::<T>(),
+        &diffuse::all::<T>(),
+        &schlick_1994::all::<T>(),
         &planetary::all::<T>(),
         &polarization::all::<T>(),
         &interfaces::all::<T>(),

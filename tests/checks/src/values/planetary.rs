@@ -2,17 +2,22 @@
 
 use std::f64::consts::PI;
 
-use brdf::{Brdf, Lambert, LommelSeeliger, Minnaert, Vector, from_spherical};
+use brdf::{
+    Brdf, HFunction, Hapke, Lambert, LommelSeeliger, Minnaert, OrenNayar, OrenNayarFull, Vector,
+    from_spherical,
+};
 use glam::DVec3;
 
 use super::reference::each;
 use super::{Check, Number, Verdict, fail, vector};
 
-pub(super) fn all<T: Number>() -> [Check; 3] {
+pub(super) fn all<T: Number>() -> [Check; 5] {
     [
         ("planetary models", planetary::<T>),
         ("the full moon's disc", moon_disc::<T>),
         ("phase functions", phase_functions::<T>),
+        ("Hapke", hapke::<T>),
+        ("discs of the full moon", discs::<T>),
     ]
 }
 
@@ -69,4 +74,45 @@ fn phase_functions<T: Number>() -> Verdict {
         near("phase function", 4.0 * PI * value * (wi.z + wo.z), want, 1e-12 * want)?;
     }
     Ok(())
+}
+
+fn hapke<T: Number>() -> Verdict {
+    each("hapke", |case| {
+        let [wi, wo] = ["i", "o"].map(|which| vector::<T>(case.direction(which)));
+        let value = |model: Hapke<T, T>| model.eval(wi, wo).into();
+        let grains = Hapke::new(case.input::<T>("w"))?.with_phase(case.input("xi"))?;
+        let surging = grains.with_surge(case.input("b0"), case.input("h"))?;
+        case.same("f_h93", value(surging))?;
+        case.same("f_h81", value(surging.with_h_function(HFunction::Of1981)))?;
+        let rough = surging.with_roughness(case.input("theta_bar"))?;
+        case.same("f_rough", value(rough))?;
+        // What grains scatter once, from grains that scatter next to nothing: the surge and the phase function.
+        let dark = |b0: f64| -> Result<f64, Box<dyn std::error::Error>> {
+            let dark = Hapke::new(T::lit(1e-12))?.with_phase(case.input("xi"))?;
+            let dark = dark.with_surge(T::lit(b0), case.input("h"))?;
+            Ok(value(dark) * 4e12 * PI * (case.direction("i").z + case.direction("o").z))
+        };
+        let phase = dark(0.0)?;
+        case.same("p", phase)?;
+        case.compare("B", dark(case.number("b0"))? / phase - 1.0, case.number_out("B"))
+    })
+}
+
+fn discs<T: Number>() -> Verdict {
+    each("moon_disc", |case| {
+        let limb = vector::<T>(from_spherical(case.number("theta"), 0.0));
+        let normal = vector::<T>(DVec3::Z);
+        let disc = |model: &dyn Brdf<T, Color = T>| {
+            let [limb, middle] =
+                [limb, normal].map(|w| model.eval(w, w).into() * Vector::z(w).into());
+            limb / middle
+        };
+        let (one, sigma, w) = (T::one(), case.input("sigma"), case.input::<T>("w"));
+        case.same("lambert", disc(&Lambert::new(one)?))?;
+        case.same("lommel_seeliger", disc(&LommelSeeliger::new(w, T::zero())?))?;
+        case.same("oren_nayar_qualitative", disc(&OrenNayar::new(one, sigma)?))?;
+        case.same("oren_nayar_full", disc(&OrenNayarFull::new(one, sigma)?))?;
+        let grains = Hapke::new(w)?.with_phase(T::lit(-0.3))?.with_surge(one, T::lit(0.05))?;
+        case.same("hapke", disc(&grains.with_roughness(case.input("theta_bar"))?))
+    })
 }

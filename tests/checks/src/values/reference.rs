@@ -67,6 +67,11 @@ impl Case<'_> {
         list.iter().map(|value| T::lit(value.as_f64().expect("a number"))).collect()
     }
 
+    /// An output that is a number, or panic.
+    pub(super) fn number_out(&self, key: &str) -> f64 {
+        self.output(key).as_f64().unwrap_or_else(|| panic!("{}: {key} is no number", self.name()))
+    }
+
     /// The raw output: for booleans, null, lists and complex numbers.
     pub(super) fn output(&self, key: &str) -> &Value {
         let output = &self.value["out"];

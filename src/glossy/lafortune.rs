@@ -1,0 +1,281 @@
+use alloc::vec::Vec;
+use core::f64::consts::{FRAC_1_PI, TAU};
+
+use super::cosine_power::{power_of_cosine, power_of_versine, quarter_turn};
+use super::mirror::{sample_power, unit_viewer};
+use crate::brdf::{Brdf, Sample};
+use crate::direction::{above_surface, both_above};
+use crate::error::{ParameterError, Range, range};
+use crate::frame::Frame;
+use crate::parameter::{Kind, Parameter, model};
+use crate::real::{Color, Lift, Mask, Real, Vector, lift, positive_zero};
+use crate::sampling::{cosine_hemisphere, uniform};
+
+/// The largest number of lobes of [`Lafortune`].
+pub const MAX_LOBES: usize = 64;
+
+/// A generalised cosine lobe of [`Lafortune`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LafortuneLobe<C = glam::Vec3, T = f32> {
+    /// The colour that multiplies the power, 0 … 10¹⁰.
+    pub specular: C,
+    /// c_x, c_y, c_z, each in −10⁴ … 10⁴.
+    pub c: [T; 3],
+    /// n, 0 … 10⁸.
+    pub exponent: T,
+}
+
+lift! {
+    [T: Real, C: Color<T>] LafortuneLobe<C, T> => LafortuneLobe<C::Over<U>, U>:
+    LafortuneLobe { specular: color, c: numbers, exponent: number }
+}
+
+/// Lafortune's sum of generalised cosine lobes, with which measured surfaces are fitted.
+///
+/// # Formula
+/// ```text
+/// f = ρ/π + Σ ρⱼ (c_x L_x V_x + c_y L_y V_y + c_z L_z V_z)₊ⁿ
+/// ```
+///
+/// # Parameters
+///
+/// | symbol | parameter | meaning | range |
+/// |---|---|---|---|
+/// | ρ | `diffuse` | albedo of the diffuse part | 0 … 1, 0 by default |
+/// | ρⱼ | `lobes[j].specular` | colour of a lobe | 0 … 10¹⁰, 1 by default |
+/// | c | `lobes[j].c` | where the lobe points, and how high it is | −10⁴ … 10⁴ |
+/// | n | `lobes[j].exponent` | sharpness of the lobe | 0 … 10⁸ |
+///
+/// There are at most 64 lobes. −c_x = −c_y = c_z is a Phong lobe around the mirror direction, c_x = c_y > 0 one
+/// back to the light, |c_z| below |c_x| one that leans to grazing, c_x ≠ c_y one with grain.
+///
+/// # Energy
+/// Reciprocal, to the last bit. Conserving or not: that is up to the constants. A Phong lobe of −c_x = c_z = c has the albedo
+/// 2πcⁿ/(n + 2) at normal incidence, so that c = ((n + 2)/2π)^(1/n) is the largest that
+/// conserves. With D = (c_x V_x, c_y V_y, c_z V_z), a lobe reflects |D|ⁿ times what a Phong lobe around
+/// D reflects, which is a closed form and an integral on a line; a lobe that points below the surface reflects
+/// what of it lies above.
+///
+/// # Sampling
+/// From the diffuse part with density cosθ/π or from a lobe with density (n + 1)/2π cosⁿ around D, chosen by about
+/// how much each of them reflects.
+///
+/// # Sources
+/// E. P. F. Lafortune, S.-C. Foo, K. E. Torrance, D. P. Greenberg, *Non-Linear Approximation of Reflectance
+/// Functions*, SIGGRAPH 1997, [doi:10.1145/258734.258801](https://doi.org/10.1145/258734.258801).
+///
+/// ```
+/// use brdf::{Brdf, Lafortune, LafortuneLobe};
+/// use glam::DVec3;
+///
+/// let lobe = LafortuneLobe { specular: DVec3::ONE, c: [-1.0, -1.0, 1.0], exponent: 10.0 };
+/// let phong = Lafortune::new(DVec3::splat(0.1), [lobe])?;
+/// let f = phong.eval(DVec3::Z, DVec3::Z).x;
+/// assert!((f - (1.0 + 0.1 / std::f64::consts::PI)).abs() < 1e-15);
+/// # Ok::<(), brdf::ParameterError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lafortune<C = glam::Vec3, T = f32> {
+    diffuse: C,
+    lobes: Vec<LafortuneLobe<C, T>>,
+}
+
+impl<T: Real, C: Color<T>> Lift<T> for Lafortune<C, T> {
+    type Over<U: Real> = Lafortune<C::Over<U>, U>;
+
+    fn lift<U: Real>(&self, lift: impl Fn(T) -> U + Copy) -> Self::Over<U> {
+        let lobes = self.lobes.iter().map(|lobe| lobe.lift(lift)).collect();
+        Lafortune { diffuse: self.diffuse.lift(lift), lobes }
+    }
+}
+
+impl<C, T> Lafortune<C, T> {
+    /// The table of the parameters.
+    pub const PARAMETERS: &'static [Parameter] = &[
+        model!(@row diffuse: C, UNIT = 0.0, "ρ", "albedo of the diffuse part"),
+        Parameter::new("lobes", "ρⱼ, c, n", "the lobes", Kind::List(Self::LOBE)),
+    ];
+
+    /// The table of the parameters of a lobe.
+    pub const LOBE: &'static [Parameter] = &[
+        model!(@row specular: C, WEIGHT = 1.0, "ρⱼ", "colour of the lobe"),
+        model!(@row c: C, LOBE, "c", "where the lobe points: c_x, c_y, c_z"),
+        model!(@row exponent: T, EXPONENT, "n", "sharpness of the lobe"),
+    ];
+
+    /// The lobes.
+    #[must_use]
+    pub fn lobes(&self) -> &[LafortuneLobe<C, T>] {
+        &self.lobes
+    }
+}
+
+/// How many lobes there may be.
+pub(crate) fn check_lobes(count: usize) -> Result<(), ParameterError> {
+    Range::new(0.0, MAX_LOBES as f64).check("number of lobes", count as f64)
+}
+
+impl<T: Real, C: Color<T>> Lafortune<C, T> {
+    /// A surface with a diffuse part and these lobes.
+    ///
+    /// # Errors
+    /// If `diffuse` is not in 0 … 1, if there are more than 64 lobes, or if a number of one of them is not in its
+    /// range.
+    pub fn new(
+        diffuse: C,
+        lobes: impl IntoIterator<Item = LafortuneLobe<C, T>>,
+    ) -> Result<Self, ParameterError> {
+        range::UNIT.check("diffuse", diffuse)?;
+        let mut kept = Vec::new();
+        for lobe in lobes {
+            check_lobes(kept.len() + 1)?;
+            range::WEIGHT.check("specular", lobe.specular)?;
+            for c in lobe.c {
+                range::LOBE.check("c", c)?;
+            }
+            range::EXPONENT.check("exponent", lobe.exponent)?;
+            kept.push(LafortuneLobe { specular: positive_zero(lobe.specular), ..lobe });
+        }
+        Ok(Self { diffuse: positive_zero(diffuse), lobes: kept })
+    }
+
+    /// The parts from which a sample may come for a viewer: the diffuse one, then the lobes.
+    #[inline(always)]
+    fn ground(&self) -> T {
+        self.diffuse.mean()
+    }
+
+    /// What all parts reflect, about.
+    #[inline(always)]
+    fn total(&self, viewer: T::Vec3) -> T {
+        self.lobes.iter().fold(self.ground(), |sum, lobe| sum + lobe.towards(viewer).share)
+    }
+}
+
+/// A lobe as a viewer sees it.
+struct Towards<T: Real> {
+    axis: T::Vec3,
+    /// |D|ⁿ, bounded.
+    height: T,
+    /// About what it reflects.
+    share: T,
+}
+
+impl<T: Real, C: Color<T>> LafortuneLobe<C, T> {
+    #[inline(always)]
+    fn towards(&self, viewer: T::Vec3) -> Towards<T> {
+        let (one, two) = (T::one(), T::lit(2.0));
+        let [x, y, z] = self.c;
+        let d: T::Vec3 = Vector::new(x * viewer.x(), y * viewer.y(), z * viewer.z());
+        // A lobe of no length reflects nothing, or evenly for an exponent of 0.
+        let squared = Vector::length_squared(d).max(T::lit(1e-36));
+        let axis = d * (one / squared.sqrt());
+        let axis = Vector::normalize_or_normal(axis);
+        let height = squared.powf(self.exponent * T::lit(0.5)).min(T::lit(1e18));
+        let above = axis.z().max(T::zero()) + one / (self.exponent + two).sqrt();
+        let share = self.specular.mean() * height * above * (T::lit(TAU) / (self.exponent + one));
+        Towards { axis, height, share }
+    }
+
+    /// The power, saturated.
+    #[inline(always)]
+    fn power(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let [x, y, z] = self.c;
+        let sum = x * (wi.x() * wo.x()) + y * (wi.y() * wo.y()) + z * (wi.z() * wo.z());
+        let positive = sum.gt(T::zero());
+        let power = T::select(positive, sum, T::one()).powf(self.exponent);
+        power.min(T::max_finite()).only_where(positive)
+    }
+
+    /// Density of a sample of the lobe.
+    #[inline(always)]
+    fn density(&self, axis: T::Vec3, wi: T::Vec3) -> T {
+        let versine = Vector::length_squared(wi - axis) * T::lit(0.5);
+        let constant = (self.exponent + T::one()) * T::lit(0.5 * FRAC_1_PI);
+        constant * power_of_versine(versine, self.exponent)
+    }
+
+    /// (n + 2)/2π ∫ (D̂·L)₊ⁿ (N·L)₊ dω around an axis, as of Phong's lobe. Around one that points below the
+    /// surface it is that of its mirror image without the cosine.
+    fn reflected(&self, axis: T::Vec3) -> T {
+        let (one, two) = (T::one(), T::lit(2.0));
+        let cos = axis.z().abs();
+        let sin_squared = axis.x().squared() + axis.y().squared();
+        let sin = sin_squared.max(T::lit(1e-36)).sqrt();
+        let (within, whole) = quarter_turn(self.exponent + one, cos, sin);
+        let beyond = power_of_cosine(sin, cos * cos, self.exponent + two);
+        let value = axis.z() + cos * within + beyond / ((self.exponent + one) * whole);
+        (value * T::lit(0.5)).max(T::zero())
+    }
+}
+
+impl<T: Real, C: Color<T>> Brdf<T> for Lafortune<C, T> {
+    type Color = C;
+
+    #[inline(always)]
+    fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
+        let mut sum = self.diffuse * T::lit(FRAC_1_PI);
+        for lobe in &self.lobes {
+            sum =
+                sum + (lobe.specular * lobe.power(wi, wo)).map(|value| value.min(T::max_finite()));
+        }
+        let above = both_above::<T>(wi, wo);
+        sum.map(|value| value.min(T::max_finite())).only_where(above)
+    }
+
+    #[inline(always)]
+    fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let viewer = unit_viewer::<T>(wo);
+        let mut sum = self.ground() * (wi.z() * T::lit(FRAC_1_PI));
+        let mut total = self.ground();
+        for lobe in &self.lobes {
+            let Towards { axis, share, .. } = lobe.towards(viewer);
+            sum = sum + share * lobe.density(axis, wi);
+            total = total + share;
+        }
+        let some = total.gt(T::zero());
+        let density = (sum / T::select(some, total, T::one())).min(T::max_finite());
+        density.only_where(some.and(both_above::<T>(wi, wo)))
+    }
+
+    #[inline(always)]
+    fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
+        let (zero, one) = (T::zero(), T::one());
+        let ([u, turn], viewer) = (uniform(u), unit_viewer::<T>(wo));
+        let place = u * self.total(viewer);
+        let stretched = |start: T, share: T| {
+            let part = (place - start) / T::select(share.gt(zero), share, one);
+            part.clamp(zero, one)
+        };
+        // Of the parts that begin at or before the place the last one draws.
+        let mut wi: T::Vec3 = cosine_hemisphere([stretched(zero, self.ground()), turn]);
+        let mut start = self.ground();
+        for lobe in &self.lobes {
+            let Towards { axis, share, .. } = lobe.towards(viewer);
+            let versine = sample_power(lobe.exponent, stretched(start, share));
+            let sin = (versine * (T::lit(2.0) - versine)).max(zero).sqrt();
+            let (sin_phi, cos_phi) = turn.sin_cos_turns();
+            let around = Vector::new(sin * cos_phi, sin * sin_phi, one - versine);
+            let drawn: T::Vec3 = Frame::from_normal(axis).to_world(around);
+            let reached = share.gt(zero).and(place.ge(start));
+            wi = Vector::select(reached, drawn, wi);
+            start = start + share;
+        }
+        let pdf = self.pdf(wi, wo);
+        let drawn = pdf.gt(zero);
+        let scale = (wi.z() / T::select(drawn, pdf, one)).min(T::max_finite());
+        let weight = (self.eval(wi, wo) * scale).map(|value| value.min(T::max_finite()));
+        Sample { wi, weight, pdf }.only_where(drawn)
+    }
+
+    fn albedo(&self, wo: T::Vec3) -> C {
+        let viewer = unit_viewer::<T>(wo);
+        let mut sum = self.diffuse;
+        for lobe in &self.lobes {
+            let Towards { axis, height, .. } = lobe.towards(viewer);
+            let part = lobe.reflected(axis) * (T::lit(TAU) / (lobe.exponent + T::lit(2.0)));
+            sum = sum + lobe.specular * (height * part);
+        }
+        sum.map(|value| value.min(T::max_finite())).only_where(above_surface::<T, _>(wo))
+    }
+}

@@ -1,0 +1,53 @@
+//! Rough diffuse surfaces beyond the qualitative model.
+
+use brdf::{Brdf, Eon, Fon, Fujii, OrenNayarFull, from_spherical};
+use glam::DVec3;
+
+use super::reference::each;
+use super::{Check, Number, Verdict, near, vector};
+
+pub(super) fn all<T: Number>() -> [Check; 3] {
+    [
+        ("full Oren–Nayar", full::<T>),
+        ("FON and EON", by_roughness::<T>),
+        ("what is left of the full model's negative values", clipped::<T>),
+    ]
+}
+
+/// The value of a model of one channel.
+fn value<T: Number>(model: &impl Brdf<T, Color = T>, [wi, wo]: [DVec3; 2]) -> f64 {
+    model.eval(vector::<T>(wi), vector::<T>(wo)).into()
+}
+
+fn full<T: Number>() -> Verdict {
+    each("oren_nayar", |case| {
+        let pair = ["i", "o"].map(|which| case.direction(which));
+        let (albedo, sigma) = (case.input::<T>("rho"), case.input::<T>("sigma"));
+        let direct = value(&OrenNayarFull::without_interreflection(albedo, sigma)?, pair);
+        case.same("full_direct", direct)?;
+        let whole = value(&OrenNayarFull::new(albedo, sigma)?, pair);
+        case.same("full", whole)?;
+        near("interreflection", whole - direct, case.number_out("full_interreflection"), 1e-15)?;
+        case.same("fujii_fit", value(&Fujii::new(albedo, sigma)?, pair))
+    })
+}
+
+fn by_roughness<T: Number>() -> Verdict {
+    each("eon", |case| {
+        let pair = ["i", "o"].map(|which| case.direction(which));
+        let (albedo, roughness) = (case.input::<T>("rho"), case.input::<T>("r"));
+        case.same("fon", value(&Fon::new(albedo, roughness)?, pair))?;
+        let eon = Eon::new(albedo, roughness)?;
+        case.same("eon", value(&eon, pair))?;
+        let light = vector::<T>(pair[0]);
+        case.same("albedo_eon", eon.albedo(light))?;
+        case.same("E_i", Fon::new(T::one(), roughness)?.albedo(light))
+    })
+}
+
+/// Light and viewer that graze on opposite sides of a rough, dark surface.
+fn clipped<T: Number>() -> Verdict {
+    let pair = [from_spherical(1.5, 0.0), from_spherical(1.5, 3.1)];
+    let dark = OrenNayarFull::new(T::lit(0.1), T::lit(1.3))?;
+    near("clipped", value(&dark, pair), 0.0, 0.0)
+}
