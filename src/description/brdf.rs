@@ -13,10 +13,12 @@ use crate::glossy::{
 };
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
 use crate::planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
-use crate::real::{Real, Vector};
+use crate::real::{Color, Real};
 use crate::sum::WeightedSum;
 
-pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, DescriptionError> {
+pub(super) fn brdf<T: Real, C: Color<T>>(
+    at: &Build<'_, T, C>,
+) -> Result<AnyBrdf<T, C>, DescriptionError> {
     let lobe = || Ok((at.color("specular")?, at.number("exponent")?));
     Ok(match at.described.form.name() {
         "lambert" => at.made(Lambert::new(at.color("albedo")?))?.into(),
@@ -71,9 +73,8 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
         }
         "lafortune" => {
             let lobes = at.each("lobes", |lobe| {
-                let c = lobe.color("c")?;
-                let (specular, exponent) = (lobe.color("specular")?, lobe.number("exponent")?);
-                Ok(LafortuneLobe { specular, c: [c.x(), c.y(), c.z()], exponent })
+                let (specular, c) = (lobe.color("specular")?, lobe.three("c")?);
+                Ok(LafortuneLobe { specular, c, exponent: lobe.number("exponent")? })
             })?;
             at.made(Lafortune::new(at.color("diffuse")?, lobes))?.into()
         }
@@ -120,16 +121,16 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
         }
         "sum" => {
             let terms = at.terms(|term| Ok((term.color("weight")?, term.part("brdf", brdf)?)))?;
-            at.list(WeightedSum::<AnyBrdf<T>, _, T>::new(terms))?.into()
+            at.list(WeightedSum::<AnyBrdf<T, C>, _, T>::new(terms))?.into()
         }
         _ => return Err(at.unknown()),
     })
 }
 
 /// Schlick's model of 1994, without a mirror part.
-pub(super) fn schlick_1994<T: Real>(
-    at: &Build<'_, T>,
-) -> Result<Schlick1994<T::Vec3, T>, DescriptionError> {
+pub(super) fn schlick_1994<T: Real, C: Color<T>>(
+    at: &Build<'_, T, C>,
+) -> Result<Schlick1994<C, T>, DescriptionError> {
     let layers = at.each("layers", |layer| {
         Ok(Schlick1994Layer {
             specular: layer.color("specular")?,
