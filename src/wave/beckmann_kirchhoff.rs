@@ -3,6 +3,7 @@ use super::surface::{Hiding, Surface};
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::error::ParameterError;
 use crate::fresnel::Fresnel;
+use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::real::{Color, Lift, Real, lift};
 
 /// Beckmann's solution of Kirchhoff's integral for a rough conductor, 1963: a specular lobe and, around
@@ -69,6 +70,16 @@ pub struct BeckmannKirchhoff<F, C = glam::Vec3, T = f32> {
 }
 
 impl<F, C, T> BeckmannKirchhoff<F, C, T> {
+    /// The table of the parameters.
+    pub const PARAMETERS: &'static [Parameter] = &[
+        model!(@row sigma: T, HEIGHT, "σ", "root-mean-square height, nm"),
+        model!(@row correlation: T, CORRELATION, "τ", "correlation length of the heights, nm"),
+        Parameter::new("fresnel", "F", "reflectance of a facet", Kind::Part(Part::Fresnel))
+            .or(Preset::White),
+        model!(@row wavelength: C, WAVELENGTH, "λ", "wavelength of each channel in vacuum, nm")
+            .or(Preset::Color([650.0, 550.0, 450.0])),
+    ];
+
     /// The reflectance.
     #[must_use]
     pub const fn fresnel(&self) -> &F {
@@ -91,6 +102,14 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> BeckmannKirchhoff<F, C, T> 
         let surface = Surface::new(sigma, correlation, wavelength, Hiding::Nothing)?;
         let uniform = C::splat(T::zero());
         Ok(Self { scattering: Scattering { surface, fresnel, uniform } })
+    }
+}
+
+impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> BeckmannKirchhoff<F, C, T> {
+    /// [`sample`](Bsdf::sample) from two numbers, of which the first also chooses: what it decided is taken
+    /// out of it, and what is left is uniform again. It loses the digits that it spends.
+    pub fn sample_by_two(&self, wo: T::Vec3, u: [T; 2]) -> BsdfSample<T, C> {
+        self.scattering.sample(wo, u, None)
     }
 }
 

@@ -5,6 +5,7 @@ use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::direction::{above_or_normal, above_surface, both_above};
 use crate::error::{ParameterError, range};
 use crate::fresnel::Fresnel;
+use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::real::{Color, Lift, Real, lift};
 
 /// The model of He, Torrance, Sillion and Greenberg, 1991: rough metals and ground surfaces in wave optics,
@@ -82,10 +83,23 @@ use crate::real::{Color, Lift, Real, lift};
 #[doc(alias("HTSG", "He-Torrance"))]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct He1991<F, C = glam::Vec3, T = f32> {
-    scattering: Scattering<F, C, T>,
+    pub(super) scattering: Scattering<F, C, T>,
 }
 
 impl<F, C, T> He1991<F, C, T> {
+    /// The table of the parameters.
+    pub const PARAMETERS: &'static [Parameter] = &[
+        model!(@row sigma: T, HEIGHT, "σ₀", "root-mean-square height, nm"),
+        model!(@row correlation: T, CORRELATION, "τ", "correlation length of the heights, nm"),
+        Parameter::new("fresnel", "|F|²", "reflectance of a facet", Kind::Part(Part::Fresnel)),
+        model!(@row uniform_diffuse: C, UNIFORM, "a", "value of the uniform part, sr⁻¹")
+            .or(Preset::Number(0.0)),
+        Parameter::new("masking", "Λ", "which form", Kind::Word(&["corrected", "printed"]))
+            .or(Preset::Word("corrected")),
+        model!(@row wavelength: C, WAVELENGTH, "λ", "wavelength of each channel in vacuum, nm")
+            .or(Preset::Color([650.0, 550.0, 450.0])),
+    ];
+
     /// The reflectance.
     #[must_use]
     pub const fn fresnel(&self) -> &F {
@@ -141,6 +155,14 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> He1991<F, C, T> {
     pub fn with_masking(self, masking: Masking) -> Self {
         let surface = Surface { masking: Hiding::He(masking), ..self.scattering.surface };
         Self { scattering: Scattering { surface, ..self.scattering } }
+    }
+}
+
+impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> He1991<F, C, T> {
+    /// [`sample`](Bsdf::sample) from two numbers, of which the first also chooses: what it decided is taken
+    /// out of it, and what is left is uniform again. It loses the digits that it spends.
+    pub fn sample_by_two(&self, wo: T::Vec3, u: [T; 2]) -> BsdfSample<T, C> {
+        self.scattering.sample(wo, u, None)
     }
 }
 

@@ -5,6 +5,7 @@ mod he;
 mod lambert_w;
 mod masking;
 mod orders;
+mod polarized;
 mod proposal;
 mod scattering;
 mod surface;

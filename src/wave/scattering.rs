@@ -44,7 +44,7 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
 
     /// The diffuse part, which is not uniform.
     #[inline(always)]
-    fn diffuse(&self, pair: &Pair<T>) -> C {
+    pub(super) fn diffuse(&self, pair: &Pair<T>) -> C {
         let reflectance = self.fresnel.reflectance(pair.cos_d.at_most(T::one()));
         let value = reflectance * self.surface.diffuse(pair);
         value.map(|f| f.min(T::max_finite()))

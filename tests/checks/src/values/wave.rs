@@ -53,6 +53,7 @@ fn beckmann_kirchhoff<T: Number>() -> Verdict {
 
 fn diffuse<T: Number>() -> Verdict {
     each("he_1991_directional_diffuse", |case| {
+        polarized::<T>(case)?;
         let (wi, wo) = (case.vector::<T>("i"), case.vector::<T>("o"));
         let model = he::<T>(case)?;
         case.same("f_dd", model.eval(wi, wo, RADIANCE).into())?;
@@ -63,11 +64,42 @@ fn diffuse<T: Number>() -> Verdict {
     })
 }
 
+/// Powers from each state into each, which are half of what a matrix says of unpolarised light and so on; and
+/// of U the amplitudes with their phases.
+fn polarized<T: Number>(case: &Case<'_>) -> Verdict {
+    if case.has("f_dd_ss") {
+        let (wi, wo) = (case.vector::<T>("i"), case.vector::<T>("o"));
+        let model = he::<T>(case)?.with_uniform_diffuse(T::lit(0.1))?;
+        let rows = model.mueller(wi, wo).rows.map(|row| row.map(Into::<f64>::into));
+        near("M00", rows[0][0], model.eval(wi, wo, RADIANCE).into(), 0.0)?;
+        let [[all, by_in], [by_out, both]] =
+            [[rows[0][0] - 0.1, rows[0][1]], [rows[1][0], rows[1][1]]];
+        case.same("f_dd_ss", (all + by_in + by_out + both) / 2.0)?;
+        case.same("f_dd_sp", (all - by_in + by_out - both) / 2.0)?;
+        case.same("f_dd_ps", (all + by_in - by_out - both) / 2.0)?;
+        case.same("f_dd_pp", (all - by_in - by_out + both) / 2.0)?;
+        let of = |key: &str, part: &str| case.output(key)[part].as_f64().unwrap_or(f64::NAN);
+        let product = |a: &str, b: &str| of(a, "re") * of(b, "re") + of(a, "im") * of(b, "im");
+        let whole = product("J_ss", "J_ss")
+            + product("J_sp", "J_sp")
+            + product("J_ps", "J_ps")
+            + product("J_pp", "J_pp");
+        let want = 2.0 * (product("J_ss", "J_pp") + product("J_sp", "J_ps")) / whole * all;
+        case.compare("M22", rows[2][2], want)?;
+        let want = 2.0 * (product("J_ss", "J_pp") - product("J_sp", "J_ps")) / whole * all;
+        case.compare("M33", rows[3][3], want)?;
+    }
+    Ok(())
+}
+
 fn specular<T: Number>() -> Verdict {
     each("he_1991_specular", |case| {
         let wo: T::Vec3 = from_spherical(case.input("theta"), T::lit(0.7));
         let model = he::<T>(case)?;
         case.same("rho_s", model.specular(wo, RADIANCE).reflected.weight.into())?;
+        let rows = model.specular_mueller(wo).rows.map(|row| row.map(Into::<f64>::into));
+        case.same("rho_s_s", rows[0][0] + rows[0][1])?;
+        case.same("rho_s_p", rows[0][0] - rows[0][1])?;
         case.same("sigma", model.effective_roughness(wo, wo).into() / 1000.0)
     })
 }
