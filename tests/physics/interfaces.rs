@@ -339,6 +339,7 @@ fn powers_are_means_of_weights_and_no_more_than_all() {
             assert!(total <= line.gain + 1e-13, "{} {wo}: {total}", line.name);
             most = most.max(total);
         }
+        println!("{}: {most:.4}", line.name);
         assert!(line.gain == 1.0 || most > line.gain - 5e-3, "{}: {most}", line.name);
     }
 }
