@@ -42,6 +42,7 @@ pub mod quadrature;
 mod real;
 mod sampling;
 mod sum;
+pub mod wave;
 #[cfg(feature = "wgsl")]
 pub mod wgsl;
 
@@ -85,3 +86,4 @@ pub use planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
 pub use polarized_brdf::PolarizedBrdf;
 pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::{SumOfTwo, WeightedSum};
+pub use wave::{BeckmannKirchhoff, He1991};

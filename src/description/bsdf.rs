@@ -11,6 +11,7 @@ use crate::interface::{
     ThinDielectric,
 };
 use crate::real::{Color, Real};
+use crate::wave::{BeckmannKirchhoff, He1991, Masking};
 
 pub(super) fn bsdf<T: Real, C: Color<T>>(
     at: &Build<'_, T, C>,
@@ -26,6 +27,24 @@ pub(super) fn bsdf<T: Real, C: Color<T>>(
         }
         "thin_dielectric" => {
             at.made(ThinDielectric::new(at.transparent_to_all("ior")?))?.in_channels::<C>().into()
+        }
+        "beckmann_kirchhoff_1963" => {
+            let (sigma, correlation) = (at.number("sigma")?, at.number("correlation")?);
+            let fresnel = at.part("fresnel", fresnel)?;
+            let wavelength = at.wavelength("wavelength")?;
+            at.made(BeckmannKirchhoff::new(sigma, correlation, fresnel, wavelength))?.into()
+        }
+        "he_1991" => {
+            let (sigma, correlation) = (at.number("sigma")?, at.number("correlation")?);
+            let fresnel = at.part("fresnel", fresnel)?;
+            let uniform = at.color("uniform_diffuse")?;
+            let masking = match at.described.word("masking") {
+                "printed" => Masking::Printed,
+                _ => Masking::Corrected,
+            };
+            let model =
+                at.made(He1991::new(sigma, correlation, fresnel, at.wavelength("wavelength")?))?;
+            at.made(model.with_uniform_diffuse(uniform))?.with_masking(masking).into()
         }
         "rough_dielectric" => {
             let facets = at.part("distribution", distribution)?;

@@ -19,6 +19,7 @@ use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
 use crate::polarization::check_count as check_layers;
+use crate::wave::{BeckmannKirchhoff, He1991};
 
 /// A form of description: its name and what stands behind it.
 ///
@@ -202,20 +203,22 @@ static BRDF_FORMS: [Form; 21] = [
 ];
 
 /// Models over the whole sphere that are none of reflection alone, and those with specular lobes.
-static SPHERE_FORMS: [Form; 5] = [
+static SPHERE_FORMS: [Form; 7] = [
     form!(Bsdf "mirror": Keys &[REFLECTANCE.or(Preset::White)]),
     form!(Bsdf "plastic": Keys &[
         <Plastic>::PARAMETERS[0],
         <Plastic>::PARAMETERS[1].of(Kind::RealIndex(range::DENSER, 1)),
         <Plastic>::PARAMETERS[2],
     ]),
+    form!(Bsdf "beckmann_kirchhoff_1963": Keys <BeckmannKirchhoff<()>>::PARAMETERS),
+    form!(Bsdf "he_1991": Keys <He1991<()>>::PARAMETERS),
     form!(Bsdf "dielectric": Keys &[<SmoothDielectric>::PARAMETERS[0].of(ONE_INDEX)]),
     form!(Bsdf "thin_dielectric": Keys &[<ThinDielectric>::PARAMETERS[0].of(ONE_INDEX)]),
     form!(Bsdf "rough_dielectric": Keys &[FACETS, ROUGH_IOR.of(ONE_INDEX), REFRACTED_SHADOWING]),
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 26] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 28] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 13] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),

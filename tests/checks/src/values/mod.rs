@@ -15,6 +15,7 @@ mod planetary;
 mod polarization;
 mod reference;
 mod schlick_1994;
+mod wave;
 
 use std::error::Error;
 
@@ -56,6 +57,7 @@ fn all<T: Number>() -> Vec<Check> {
         &planetary::all::<T>(),
         &polarization::all::<T>(),
         &interfaces::all::<T>(),
+        &wave::all::<T>(),
         &limits::all::<T>(),
     ]
     .concat()
