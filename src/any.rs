@@ -13,6 +13,7 @@ use crate::microfacet::{AnyShadowing, CookTorrance, Scaled, facet};
 use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
 use crate::polarization::Mueller;
 use crate::polarized_brdf::times;
+use crate::principled::Disney2012;
 use crate::real::{Color, Real, members};
 use crate::sum::{SumOfTwo, WeightedSum};
 
@@ -76,6 +77,8 @@ members! {
         LommelSeeliger(LommelSeeliger<C, T>),
         /// Hapke's model.
         Hapke(Hapke<C, T>),
+        /// Disney's principled material.
+        Disney2012(Disney2012<C, T>),
         /// The microfacet model.
         CookTorrance(AnyCookTorrance<T, C>): generic,
         /// A printed form of the microfacet model.

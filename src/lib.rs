@@ -38,6 +38,7 @@ pub mod parameter;
 pub mod planetary;
 pub mod polarization;
 mod polarized_brdf;
+pub mod principled;
 pub mod quadrature;
 mod real;
 mod sampling;
@@ -84,6 +85,7 @@ pub use microfacet::{
 pub use parameter::Parameter;
 pub use planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
 pub use polarized_brdf::PolarizedBrdf;
+pub use principled::{Disney2012, DisneyForm, DisneyParameters};
 pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::{SumOfTwo, WeightedSum};
 pub use wave::{BeckmannKirchhoff, He1991};

@@ -13,6 +13,7 @@ use crate::glossy::{
 };
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
 use crate::planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
+use crate::principled::{Disney2012, DisneyForm, DisneyParameters};
 use crate::real::{Color, Real};
 use crate::sum::WeightedSum;
 
@@ -90,6 +91,26 @@ pub(super) fn brdf<T: Real, C: Color<T>>(
             let grains = at.made(grains.with_phase(at.number("xi")?))?;
             let grains = at.made(grains.with_surge(at.number("b0")?, at.number("h")?))?;
             at.made(grains.with_roughness(at.number("theta_bar")?))?.into()
+        }
+        "disney_2012" => {
+            let sliders = DisneyParameters {
+                base_color: at.color("base_color")?,
+                metallic: at.number("metallic")?,
+                subsurface: at.number("subsurface")?,
+                specular: at.number("specular")?,
+                roughness: at.number("roughness")?,
+                specular_tint: at.number("specular_tint")?,
+                anisotropic: at.number("anisotropic")?,
+                sheen: at.number("sheen")?,
+                sheen_tint: at.number("sheen_tint")?,
+                clearcoat: at.number("clearcoat")?,
+                clearcoat_gloss: at.number("clearcoat_gloss")?,
+            };
+            let form = match at.described.word("form") {
+                "2014" => DisneyForm::Of2014,
+                _ => DisneyForm::Of2012,
+            };
+            at.made(Disney2012::new(sliders))?.with_form(form).into()
         }
         "cook_torrance" => {
             let distribution = at.part("distribution", distribution)?;

@@ -19,6 +19,7 @@ use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::planetary::{Hapke, LommelSeeliger, Minnaert};
 use crate::polarization::check_count as check_layers;
+use crate::principled::DisneyParameters;
 use crate::wave::{BeckmannKirchhoff, He1991};
 
 /// A form of description: its name and what stands behind it.
@@ -165,7 +166,7 @@ macro_rules! form {
     }};
 }
 
-static BRDF_FORMS: [Form; 21] = [
+static BRDF_FORMS: [Form; 22] = [
     form!(Brdf "lambert": Keys <Lambert>::PARAMETERS),
     form!(Brdf "oren_nayar": Keys <OrenNayar>::PARAMETERS),
     form!(Brdf "oren_nayar_full": Keys <OrenNayarFull>::PARAMETERS),
@@ -182,6 +183,7 @@ static BRDF_FORMS: [Form; 21] = [
     form!(Brdf "minnaert": Keys <Minnaert>::PARAMETERS),
     form!(Brdf "lommel_seeliger": Keys <LommelSeeliger>::PARAMETERS),
     form!(Brdf "hapke": Keys <Hapke>::PARAMETERS),
+    form!(Brdf "disney_2012": Keys <DisneyParameters>::PARAMETERS),
     form!(Brdf "cook_torrance": Keys &[FACETS, REFLECTANCE, SHADOWING]),
     form!(Brdf "torrance_sparrow_1967": Keys &[
         model!(@row c: T, SHARPNESS_1967, "c", "sharpness of the distribution, 1/degree"),
@@ -218,7 +220,7 @@ static SPHERE_FORMS: [Form; 7] = [
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 28] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 29] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 13] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),

@@ -27,6 +27,7 @@
 //! | `{"minnaert": {"albedo": C, "k": k}}` | |
 //! | `{"lommel_seeliger": {"w": C, "xi": 0}}` | below 0 grains scatter back |
 //! | `{"hapke": {"w": C, "xi": 0, "b0": 0, "h": 0.05, "theta_bar": 0, "h_function": "1993"}}` | or `"1981"`; b0 and h are of the opposition surge, theta_bar in radians |
+//! | `{"disney_2012": {"base_color": C, "metallic": 0, "subsurface": 0, "specular": 0.5, "roughness": 0.5, "specular_tint": 0, "anisotropic": 0, "sheen": 0, "sheen_tint": 0.5, "clearcoat": 0, "clearcoat_gloss": 1, "form": "2012"}}` | or `"2014"` |
 //! | `{"cook_torrance": {"distribution": D, "fresnel": F, "shadowing": S}}` | S is `"smith"` (height-correlated) or `"smith_separable"`, both for Beckmann, GGX and mixtures of them, or `"v_cavity"`; the default is `"smith"` where it is known and `"v_cavity"` elsewhere |
 //! | `{"torrance_sparrow_1967": {"c": c, "fresnel": F}}` | c in 1/degree |
 //! | `{"cook_torrance_1982_printed": {"roughness": R, "fresnel": F}}` | |

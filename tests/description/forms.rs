@@ -50,7 +50,7 @@ pub(crate) const DISTRIBUTIONS: [&str; 11] = [
     r#"{"mixture":[{"weight":1,"distribution":{"blinn":{"exponent":10}}},{"weight":3,"distribution":{"mixture":[{"weight":1,"distribution":{"gaussian":{"roughness":0.2}}},{"weight":1,"distribution":{"ggx":{"roughness":0.4}}}]}}]}"#,
 ];
 
-pub(crate) const SIMPLE: [&str; 25] = [
+pub(crate) const SIMPLE: [&str; 27] = [
     r#"{"lambert":{"albedo":0.5}}"#,
     r#"{"lambert":{"albedo":[0.1,0.2,0.3]}}"#,
     r#"{"oren_nayar":{"albedo":0.5,"sigma":0.3}}"#,
@@ -73,6 +73,8 @@ pub(crate) const SIMPLE: [&str; 25] = [
     r#"{"hapke":{"w":0.5,"xi":-0.3,"b0":1,"h":0.1,"theta_bar":0.3,"h_function":"1981"}}"#,
     r#"{"schlick_1994":{"layers":[{"specular":0.5,"roughness":0.3}]}}"#,
     r#"{"schlick_1994":{"layers":[{"specular":0.1,"roughness":0.3},{"specular":[0.5,0.4,0.3],"roughness":0.8,"isotropy":0.5}],"shadowing":"none","split":true}}"#,
+    r#"{"disney_2012":{"base_color":[0.5,0.4,0.3]}}"#,
+    r#"{"disney_2012":{"base_color":0.5,"metallic":1,"anisotropic":0.5,"clearcoat":1,"form":"2014"}}"#,
     r#"{"torrance_sparrow_1967":{"c":0.05,"fresnel":{"dielectric":{"ior":1.5}}}}"#,
     r#"{"cook_torrance_1982_printed":{"roughness":[0.2,0.3],"fresnel":{"metal":"copper"}}}"#,
     r#"{"sum":[{"weight":[0.5,0.25,0.125],"brdf":{"lambert":{"albedo":0.5}}},{"weight":0.5,"brdf":{"sum":[{"weight":1,"brdf":{"phong":{"specular":1,"exponent":3}}}]}}]}"#,

@@ -13,6 +13,7 @@ mod lobes;
 mod microfacet;
 mod planetary;
 mod polarization;
+mod principled;
 mod reference;
 mod schlick_1994;
 mod wave;
@@ -53,6 +54,7 @@ fn all<T: Number>() -> Vec<Check> {
         &microfacet::all::<T>(),
         &lobes::all::<T>(),
         &diffuse::all::<T>(),
+        &principled::all::<T>(),
         &schlick_1994::all::<T>(),
         &planetary::all::<T>(),
         &polarization::all::<T>(),
