@@ -2,7 +2,7 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use brdf::{Bsdf, Color, Frame, TransportMode, reflect};
+use brdf::{Bsdf, Color, Dielectric, Frame, Fresnel, Lobes, TransportMode, reflect};
 use glam::Vec3;
 use rand::RngExt;
 use rand_pcg::Pcg32;
@@ -21,79 +21,107 @@ pub trait Solid: Send + Sync {
     ) -> Vec3;
 }
 
-/// A ball with an interface that refracts, clear inside.
-pub struct Ball<M>(pub M);
+/// A ball with an interface that refracts, clear inside, and its index.
+pub struct Ball<M> {
+    pub surface: M,
+    pub glass: Dielectric<f32>,
+}
 
 /// The most times that light meets the surface: of a smooth ball of index 1.5 less than 10⁻⁵ is left.
-const BOUNCES: usize = 16;
-/// Paths for each ray into a rough ball.
-const PATHS: u16 = 4;
+const BOUNCES: u32 = 16;
+/// How often both what is reflected and what is refracted is followed: inside, one in twenty-five
+/// is reflected, and may be what meets the lamp.
+const SPLITS: u32 = 4;
+/// Paths for each ray.
+const PATHS: u16 = 3;
 
-/// A place of a path: its point, where it came from, and what has become of its light.
+/// A place of a path: its point, and where it came from.
 #[derive(Clone, Copy)]
 struct Vertex {
     point: Vec3,
     wo: Vec3,
-    weight: Vec3,
-}
-
-/// What a place sends to the viewer from outside, and where the path goes on inside.
-type Step = (Vec3, Option<Vertex>);
-
-impl<M: Bsdf<f32, Color = Vec3>> Ball<M> {
-    /// Both lobes of a smooth surface: one of them leads outside, the other inside.
-    fn lobes(&self, environment: &Environment, at: Vertex) -> Option<Step> {
-        let frame = at.frame();
-        let lobes = self.0.specular(frame.to_local::<f32>(at.wo), TransportMode::Radiance);
-        let (mut light, mut next, mut any) = (Vec3::ZERO, None, false);
-        for lobe in [lobes.reflected, lobes.transmitted] {
-            if lobe.weight == Vec3::ZERO {
-                continue;
-            }
-            any = true;
-            let direction = frame.to_world::<f32>(lobe.wi);
-            if lobe.wi.z > 0.0 {
-                light += at.weight * lobe.weight * environment.radiance(direction);
-            } else {
-                next = Some(at.onwards(direction, lobe.weight));
-            }
-        }
-        any.then_some((light, next))
-    }
-
-    /// One direction drawn from the light and one from the surface, weighed by their densities.
-    fn drawn(&self, environment: &Environment, at: Vertex, random: &mut Pcg32) -> Step {
-        let (frame, mode) = (at.frame(), TransportMode::Radiance);
-        let wo = frame.to_local::<f32>(at.wo);
-        let (direction, light_pdf) = environment.sample(random.random());
-        let wi = frame.to_local::<f32>(direction);
-        let mut light = Vec3::ZERO;
-        if wi.z > 0.0 {
-            let (value, pdf) = self.0.eval_pdf(wi, wo, mode);
-            light = value * environment.radiance(direction) * (wi.z / (light_pdf + pdf));
-        }
-        let sample = self.0.sample(wo, random.random(), mode);
-        if sample.pdf <= 0.0 {
-            return (at.weight * light, None);
-        }
-        let direction = frame.to_world::<f32>(sample.wi);
-        if sample.wi.z <= 0.0 {
-            return (at.weight * light, Some(at.onwards(direction, sample.weight)));
-        }
-        let share = 1.0 / (1.0 + environment.pdf(direction) / sample.pdf);
-        (at.weight * (light + sample.weight * environment.radiance(direction) * share), None)
-    }
+    /// How often light met the surface before.
+    depth: u32,
 }
 
 impl Vertex {
     fn frame(&self) -> Frame<Vec3> {
         Frame::from_normal_and_tangent::<f32>(self.point, Vec3::Y.cross(self.point))
     }
+}
 
-    /// Through the ball to the next place.
-    fn onwards(&self, direction: Vec3, weight: Vec3) -> Self {
-        let point = across(self.point, direction);
-        Self { point, wo: -direction, weight: self.weight * weight }
+impl<M: Bsdf<f32, Color = Vec3>> Ball<M> {
+    /// Radiance from a place to where the path came from.
+    fn light(&self, environment: &Environment, at: Vertex, random: &mut Pcg32) -> Vec3 {
+        if at.depth == BOUNCES {
+            return Vec3::ZERO;
+        }
+        let frame = at.frame();
+        let wo = frame.to_local::<f32>(at.wo);
+        let Lobes { reflected, transmitted } = self.surface.specular(wo, TransportMode::Radiance);
+        let lobes = [reflected, transmitted].map(|lobe| (lobe.weight, lobe.wi, 1.0));
+        let mut light = Vec3::ZERO;
+        let drawn = match lobes.iter().any(|(weight, ..)| *weight != Vec3::ZERO) {
+            true => lobes,
+            false => {
+                light = self.found(environment, &frame, wo, random.random());
+                self.drawn(environment, &frame, wo, at.depth < SPLITS, random.random())
+            }
+        };
+        for (weight, wi, share) in drawn {
+            if weight == Vec3::ZERO {
+                continue;
+            }
+            let direction = frame.to_world::<f32>(wi);
+            light += weight
+                * match wi.z > 0.0 {
+                    true => environment.radiance(direction) * share,
+                    false => {
+                        let point = across(at.point, direction);
+                        let next = Vertex { point, wo: -direction, depth: at.depth + 1 };
+                        self.light(environment, next, random)
+                    }
+                };
+        }
+        light
+    }
+
+    /// From a direction drawn from the light, weighed by both densities.
+    fn found(&self, environment: &Environment, frame: &Frame<Vec3>, wo: Vec3, u: [f32; 2]) -> Vec3 {
+        let (direction, light_pdf) = environment.sample(u);
+        let wi = frame.to_local::<f32>(direction);
+        if wi.z <= 0.0 {
+            return Vec3::ZERO;
+        }
+        let (value, pdf) = self.surface.eval_pdf(wi, wo, TransportMode::Radiance);
+        value * environment.radiance(direction) * (wi.z / (light_pdf + pdf))
+    }
+
+    /// Directions drawn from the surface, with their weights and their shares beside the light's: one, or
+    /// both that a facet has, each by its probability.
+    fn drawn(
+        &self,
+        environment: &Environment,
+        frame: &Frame<Vec3>,
+        wo: Vec3,
+        split: bool,
+        [u0, u1, u2]: [f32; 3],
+    ) -> [(Vec3, Vec3, f32); 2] {
+        let draw = |event: f32, probability: f32| {
+            let sample = self.surface.sample(wo, [u0, u1, event], TransportMode::Radiance);
+            if sample.pdf <= 0.0 {
+                return (Vec3::ZERO, wo, 0.0);
+            }
+            let light_pdf = environment.pdf(frame.to_world::<f32>(sample.wi));
+            (sample.weight * probability, sample.wi, 1.0 / (1.0 + light_pdf / sample.pdf))
+        };
+        if !split {
+            return [draw(u2, 1.0), (Vec3::ZERO, wo, 0.0)];
+        }
+        let (_, mirrored, _) = draw(0.0, 1.0);
+        let cos = wo.dot((wo + mirrored).normalize_or(wo)).abs();
+        let reflected = self.glass.reflectance(if wo.z < 0.0 { -cos } else { cos });
+        [draw(0.0, reflected), draw(1.0 - f32::EPSILON, 1.0 - reflected)]
     }
 }
 
@@ -105,21 +133,9 @@ impl<M: Bsdf<f32, Color = Vec3>> Solid for Ball<M> {
         toward_viewer: Vec3,
         random: &mut Pcg32,
     ) -> Vec3 {
-        let start = Vertex { point, wo: toward_viewer, weight: Vec3::ONE };
-        let smooth = self.lobes(environment, start).is_some();
-        let paths = if smooth { 1 } else { PATHS };
-        let mut sum = Vec3::ZERO;
-        for _ in 0..paths {
-            let mut place = Some(start);
-            for _ in 0..BOUNCES {
-                let Some(at) = place else { break };
-                let step = self.lobes(environment, at);
-                let (light, next) = step.unwrap_or_else(|| self.drawn(environment, at, random));
-                sum += light;
-                place = next;
-            }
-        }
-        sum / f32::from(paths)
+        let start = Vertex { point, wo: toward_viewer, depth: 0 };
+        let paths = (0..PATHS).map(|_| self.light(environment, start, random));
+        paths.sum::<Vec3>() / f32::from(PATHS)
     }
 }
 

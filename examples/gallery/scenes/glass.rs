@@ -4,7 +4,7 @@ use std::error::Error;
 
 use brdf::colorimetry::WAVELENGTHS;
 use brdf::description::{BsdfDescription, FresnelDescription};
-use brdf::materials::WATER_20_C_DAIMON_2007;
+use brdf::materials::{N_BK7_GLASS_SCHOTT, WATER_20_C_DAIMON_2007};
 use brdf::polarization::{Complex, Layer};
 use brdf::{
     AnyFresnel, BelcourBarla, CookTorrance, Fresnel, Ggx, Illuminant, Observer, Spectrum, Stack,
@@ -42,7 +42,8 @@ fn scene<'a>(
 fn balls(light: Light<'_>) -> Result<Scene<'_>, Box<dyn Error>> {
     let ball = |text: &str| -> Result<Tile, Box<dyn Error>> {
         let described: BsdfDescription = serde_json::from_str(text)?;
-        Ok(Tile::Solid(Box::new(Ball(described.build::<f32>()?))))
+        let (surface, glass) = (described.build::<f32>()?, N_BK7_GLASS_SCHOTT.dielectric(550.0)?);
+        Ok(Tile::Solid(Box::new(Ball { surface, glass })))
     };
     let frosted = |roughness: f32| {
         ball(&format!(
