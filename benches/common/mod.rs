@@ -2,6 +2,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each bench uses its own part")]
 
 pub mod by_hand;
+pub mod by_hand_models;
 pub mod metallic_roughness;
 pub mod planes;
 

@@ -2,6 +2,7 @@ use super::normal_slopes::{slopes, visible_slopes};
 use super::roughness::Roughness;
 use super::spread::{Spread, Spreads};
 use super::traits::{Distribution, Smith};
+use crate::direction::above_or_normal;
 use crate::error::ParameterError;
 use crate::parameter::model;
 use crate::real::{Mask, Real, Vector, ierfc};
@@ -126,7 +127,13 @@ impl<T: Real> Smith<T> for Beckmann<T> {
 
     #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let (x, y) = visible_slopes::<T>(self.roughness.stretch_to_any_length(wo), u);
-        self.roughness.unstretch(-x, -y, T::one())
+        let wo = above_or_normal::<T, _>(wo);
+        Vector::normalize_or_normal(self.sample_visible_along(wo, u))
+    }
+
+    #[inline(always)]
+    fn sample_visible_along(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        let (x, y) = visible_slopes::<T>(self.roughness.stretch_along(wo), u);
+        self.roughness.unstretch_along(-x, -y, T::one())
     }
 }

@@ -1,6 +1,7 @@
 use super::roughness::Roughness;
 use super::spread::{Spread, Spreads};
 use super::traits::{Distribution, Smith};
+use crate::direction::above_or_normal;
 use crate::error::ParameterError;
 use crate::parameter::model;
 use crate::real::{Real, Vector};
@@ -122,8 +123,14 @@ impl<T: Real> Smith<T> for Ggx<T> {
 
     #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        let wo = above_or_normal::<T, _>(wo);
+        Vector::normalize_or_normal(self.sample_visible_along(wo, u))
+    }
+
+    #[inline(always)]
+    fn sample_visible_along(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let ([turn, u], one) = (uniform(u), T::one());
-        let s = self.roughness.stretch(wo);
+        let s = Vector::normalize_or_normal(self.roughness.stretch_along(wo));
         // The cap is 1 + s_z high. Both 1 − z and 1 + z of its uniform point are sums of positive
         // terms, so that 1 − z² keeps its digits near the poles.
         let height = one + s.z();
@@ -132,6 +139,6 @@ impl<T: Real> Smith<T> for Ggx<T> {
         let above_rim = (one - u) * height;
         let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
-        self.roughness.unstretch(sin * cos_phi + s.x(), sin * sin_phi + s.y(), above_rim)
+        self.roughness.unstretch_along(sin * cos_phi + s.x(), sin * sin_phi + s.y(), above_rim)
     }
 }

@@ -3,7 +3,6 @@
 
 use core::f64::consts::PI;
 
-use crate::direction::above_or_normal;
 use crate::error::{ParameterError, range};
 use crate::real::{Real, Vector, lift};
 
@@ -63,26 +62,22 @@ impl<T: Real> Roughness<T> {
         (w.x() * self.along[0]).squared() + (w.y() * self.along[1]).squared()
     }
 
-    /// The direction above the surface as it is seen after the surface has been stretched to
-    /// roughness 1. What is no direction above the surface counts as the normal.
+    /// A vector along the direction as it is seen after the surface has been stretched to roughness 1.
     #[inline(always)]
-    pub(super) fn stretch(&self, w: T::Vec3) -> T::Vec3 {
-        let stretched = self.stretch_to_any_length(w);
-        Vector::normalize_or_normal(stretched)
-    }
-
-    /// A vector in the direction of [`stretch`](Self::stretch), of any length.
-    #[inline(always)]
-    pub(super) fn stretch_to_any_length(&self, w: T::Vec3) -> T::Vec3 {
-        let w = above_or_normal::<T, _>(w);
+    pub(super) fn stretch_along(&self, w: T::Vec3) -> T::Vec3 {
         Vector::new(w.x() * self.along[0], w.y() * self.along[1], w.z())
     }
 
-    /// The unit normal of this surface that (x, y, z) becomes when the surface of roughness 1 is
-    /// pressed back to its own roughness.
+    /// A vector along the normal of this surface that (x, y, z) becomes when the surface of roughness
+    /// 1 is pressed back to its own roughness.
+    #[inline(always)]
+    pub(super) fn unstretch_along(&self, x: T, y: T, z: T) -> T::Vec3 {
+        Vector::new(x * self.along[0], y * self.along[1], z)
+    }
+
+    /// The unit normal.
     #[inline(always)]
     pub(super) fn unstretch(&self, x: T, y: T, z: T) -> T::Vec3 {
-        let normal: T::Vec3 = Vector::new(x * self.along[0], y * self.along[1], z);
-        Vector::normalize_or_normal(normal)
+        Vector::normalize_or_normal(self.unstretch_along(x, y, z))
     }
 }

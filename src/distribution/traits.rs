@@ -122,6 +122,14 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     #[doc(alias("VNDF", "visible normals"))]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 
+    /// A vector of any length along [`sample_visible`](Self::sample_visible) of a viewer above the
+    /// surface; any answer for another.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sample_visible_along(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        self.sample_visible(wo, u)
+    }
+
     /// [`projected_area`](Self::projected_area) for a block of directions.
     #[doc(hidden)]
     #[inline(never)]
@@ -134,13 +142,13 @@ pub trait Smith<T: Real = f32>: Distribution<T> {
     }
 
     /// [`sample_visible`](Self::sample_visible) for a block of viewers, as
-    /// [`Distribution::sample_block`].
+    /// [`Distribution::sample_block`], but of any length.
     #[inline(never)]
     fn sample_visible_block(&self, draws: DrawBlock<'_, T>, h: &mut [Plane<T>; 4]) {
         draws.numbers(
             h,
             #[inline(always)]
-            |index| components(self.sample_visible(draws.wo(index), draws.u(index))),
+            |index| components(self.sample_visible_along(draws.wo(index), draws.u(index))),
         );
     }
 }
@@ -186,6 +194,10 @@ macro_rules! forward {
             #[inline(always)]
             fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(wo, u)
+            }
+            #[inline(always)]
+            fn sample_visible_along(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+                (**self).sample_visible_along(wo, u)
             }
             fn projected_area_block(&self, w: DirectionBlock<'_, T>, areas: &mut Plane<T>) {
                 (**self).projected_area_block(w, areas);

@@ -89,6 +89,11 @@ impl<T: Real, D: Smith<T>> Shadowing<T, D> for AnySmith {
         distribution.sample_visible(wo, u)
     }
 
+    #[inline(always)]
+    fn sample_visible_along(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        distribution.sample_visible_along(wo, u)
+    }
+
     fn kinks(&self, _: &D) -> Option<Kinks> {
         Some(Kinks::None)
     }

@@ -153,6 +153,22 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
         }
     }
 
+    #[inline]
+    fn sample_visible_along(
+        &self,
+        distribution: &AnyDistribution<T>,
+        wo: T::Vec3,
+        u: [T; 2],
+    ) -> T::Vec3 {
+        match self {
+            Self::VCavity => VCavity.sample_visible_along(distribution, wo, u),
+            Self::SmithCorrelated | Self::SmithSeparable => each_smith!(
+                distribution, one => one.sample_visible_along(wo, u),
+                VCavity.sample_visible_along(distribution, wo, u)
+            ),
+        }
+    }
+
     fn kinks(&self, distribution: &AnyDistribution<T>) -> Option<Kinks> {
         Some(
             chosen!(self, distribution, _kind => { let _ = distribution; Kinks::None }, Kinks::Grooves),

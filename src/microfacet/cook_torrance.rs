@@ -188,7 +188,7 @@ where
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, F::Color> {
         let (distribution, shadowing) = (&self.distribution, &self.shadowing);
-        let h = shadowing.sample_visible(distribution, wo, u);
+        let h = shadowing.sample_visible_along(distribution, wo, u);
         let Draw { wi, pdf, weight } = shadowing.mirror(distribution, wo, h);
         Sample { wi, weight: self.fresnel.reflected(weight.cos, weight.scale), pdf }
     }

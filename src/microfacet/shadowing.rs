@@ -6,7 +6,7 @@ use alloc::sync::Arc;
 use core::array;
 
 use crate::block::{DrawBlock, PairBlock, Plane};
-use crate::direction::{Pair, above_or_normal, above_surface, reflect};
+use crate::direction::{Pair, above_or_normal, above_surface};
 use crate::distribution::Distribution;
 use crate::real::{Mask, Real, Vector, in_place};
 
@@ -59,6 +59,14 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     /// taken as by [`Brdf::sample`](crate::Brdf::sample).
     fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3;
 
+    /// A vector of any length along [`sample_visible`](Self::sample_visible) of a viewer above the
+    /// surface; any answer for another.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sample_visible_along(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        self.sample_visible(distribution, wo, u)
+    }
+
     /// Where G is not smooth as a function of the facet's normal, if that is known: what a quadrature
     /// over facets has to know of it.
     #[doc(hidden)]
@@ -67,8 +75,8 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
         None
     }
 
-    /// [`sample_visible`](Self::sample_visible) for a block of viewers: the components of `h` fill
-    /// the first three planes.
+    /// [`sample_visible`](Self::sample_visible) for a block of viewers: the components of a vector of
+    /// any length along `h` fill the first three planes.
     fn sample_visible_block(
         &self,
         distribution: &D,
@@ -79,7 +87,7 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
             h,
             #[inline(always)]
             |index| {
-                let h = self.sample_visible(distribution, draws.wo(index), draws.u(index));
+                let h = self.sample_visible_along(distribution, draws.wo(index), draws.u(index));
                 [h.x(), h.y(), h.z(), T::zero()]
             },
         );
@@ -235,14 +243,14 @@ pub struct Draw<T: Real> {
 }
 
 impl<T: Real> Draw<T> {
-    /// From D, G₁/(4 N·wo) and G/G₁. All from the pair, so that it agrees with `eval` and `pdf` to
-    /// the last bit.
+    /// From D, G₁/(4 N·wo) and G/G₁ of the pair, so that the density is that of `pdf` to the last bit.
     #[inline(always)]
-    pub(super) fn of(pair: &Pair<T>, density: T, masking: T, unshadowed: T) -> Self {
+    pub(super) fn of(facet: &Facet<T>, density: T, masking: T, unshadowed: T) -> Self {
+        let Facet { pair, cos } = facet;
         Self {
             wi: pair.wi,
             pdf: pdf_of(pair, density, masking),
-            weight: Mirrored { cos: cos_d(pair), scale: unshadowed.only_where(pair.above) },
+            weight: Mirrored { cos: *cos, scale: unshadowed.only_where(pair.above) },
         }
     }
 
@@ -301,21 +309,41 @@ fn mirror<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     in_place::<T, _>(
         #[inline(always)]
         || {
-            let pair = mirror_pair::<T>(wo, h);
-            let unshadowed = shadowing.unshadowed(distribution, &pair);
-            let masking = shadowing.masking(distribution, &pair);
-            Draw::of(&pair, distribution.density_along(pair.sum), masking, unshadowed)
+            let facet = Facet::<T>::new(wo, h);
+            let pair = &facet.pair;
+            let unshadowed = shadowing.unshadowed(distribution, pair);
+            let masking = shadowing.masking(distribution, pair);
+            Draw::of(&facet, distribution.density_along(pair.sum), masking, unshadowed)
         },
     )
 }
 
-/// The viewer and what a facet of the normal `h` mirrors to it.
-#[inline(always)]
-pub(super) fn mirror_pair<T: Real>(wo: T::Vec3, h: T::Vec3) -> Pair<T> {
-    let above = above_surface::<T, _>(wo);
-    let wo = above_or_normal::<T, _>(wo);
-    let wi = reflect(wo, h);
-    Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above))
+/// A facet that was drawn for a viewer.
+pub(super) struct Facet<T: Real> {
+    /// The viewer and what the facet mirrors to it.
+    pub(super) pair: Pair<T>,
+    /// V·H of the normal that was drawn. The Fresnel term, which takes longest, need not wait for the
+    /// pair's.
+    cos: T,
+}
+
+impl<T: Real> Facet<T> {
+    /// From a normal of any length. Nothing waits for its root.
+    #[inline(always)]
+    pub(super) fn new(viewer: T::Vec3, normal: T::Vec3) -> Self {
+        let above = above_surface::<T, _>(viewer);
+        let wo = above_or_normal::<T, _>(viewer);
+        let length_squared = Vector::length_squared(normal);
+        let usable = length_squared.gt(T::lit(1e-37)).and(above);
+        let length_squared = T::select(usable, length_squared, T::one());
+        let along = Vector::dot(viewer, normal);
+        let wi = normal * ((along + along) / length_squared) - viewer;
+        // The surface itself is the facet where there is none.
+        let wi = <T::Vec3 as Vector<T>>::select(usable, wi, T::Vec3::new(-wo.x(), -wo.y(), wo.z()));
+        let pair = Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above));
+        let cos = T::select(usable, along * length_squared.rsqrt(), wo.z());
+        Self { pair, cos: cos.max(T::zero()).at_most(T::one()) }
+    }
 }
 
 /// The density of samples from D and G₁/(4 N·wo).
@@ -351,6 +379,10 @@ macro_rules! forward {
             #[inline(always)]
             fn sample_visible(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
                 (**self).sample_visible(distribution, wo, u)
+            }
+            #[inline(always)]
+            fn sample_visible_along(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+                (**self).sample_visible_along(distribution, wo, u)
             }
             fn kinks(&self, distribution: &D) -> Option<Kinks> {
                 (**self).kinks(distribution)

@@ -83,6 +83,11 @@ macro_rules! sampled_by_the_distribution {
             distribution.sample_visible(wo, u)
         }
 
+        #[inline(always)]
+        fn sample_visible_along(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+            distribution.sample_visible_along(wo, u)
+        }
+
         fn sample_visible_block(
             &self,
             distribution: &D,
