@@ -114,6 +114,21 @@ impl<T: Real> Distribution<T> for SmithMixture<'_, T> {
     }
 }
 
+impl<T: Real> SmithMixture<'_, T> {
+    /// What one of the distributions draws, chosen as the viewer sees them.
+    #[inline(always)]
+    fn choose_visible(
+        &self,
+        wo: T::Vec3,
+        u: [T; 2],
+        draw: impl Fn(&AnyDistribution<T>, [T; 2]) -> T::Vec3,
+    ) -> T::Vec3 {
+        let visible = Visible::new(wo, self.lambda_cos(wo));
+        let probability = |weight, each: &AnyDistribution<T>| each_smith!(each, one => visible.probability(weight, one.lambda_cos(wo)), T::zero());
+        self.0.choose(u, probability, draw)
+    }
+}
+
 impl<T: Real> Smith<T> for SmithMixture<'_, T> {
     #[inline(never)]
     fn lambda_cos(&self, w: T::Vec3) -> T {
@@ -131,14 +146,15 @@ impl<T: Real> Smith<T> for SmithMixture<'_, T> {
 
     #[inline(never)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let visible = Visible::new(wo, self.lambda_cos(wo));
-        self.0.choose(
-            u,
-            |weight, each| {
-                each_smith!(each, one => visible.probability(weight, one.lambda_cos(wo)), T::zero())
-            },
-            |each, u| each_smith!(each, one => one.sample_visible(wo, u), wo),
-        )
+        let draw =
+            |each: &AnyDistribution<T>, u| each_smith!(each, one => one.sample_visible(wo, u), wo);
+        self.choose_visible(wo, u, draw)
+    }
+
+    #[inline(never)]
+    fn sample_visible_along(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        let draw = |each: &AnyDistribution<T>, u| each_smith!(each, one => one.sample_visible_along(wo, u), wo);
+        self.choose_visible(wo, u, draw)
     }
 
     fn projected_area_block(&self, w: DirectionBlock<'_, T>, areas: &mut Plane<T>) {

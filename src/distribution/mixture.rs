@@ -221,10 +221,28 @@ impl<T: Real, D: Smith<T>, const N: usize> Smith<T> for Mixture<T, D, N> {
 
     #[inline(always)]
     fn sample_visible(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        self.choose_visible(wo, u, |distribution, u| distribution.sample_visible(wo, u))
+    }
+
+    #[inline(always)]
+    fn sample_visible_along(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
+        self.choose_visible(wo, u, |distribution, u| distribution.sample_visible_along(wo, u))
+    }
+}
+
+impl<T: Real, D: Smith<T>, const N: usize> Mixture<T, D, N> {
+    /// What one of the distributions draws, chosen as the viewer sees them.
+    #[inline(always)]
+    fn choose_visible(
+        &self,
+        wo: T::Vec3,
+        u: [T; 2],
+        draw: impl Fn(&D, [T; 2]) -> T::Vec3,
+    ) -> T::Vec3 {
         let (visible, mut choice) = (Visible::new(wo, self.lambda_cos(wo)), Choice::new(u));
         for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
             let probability = visible.probability(weight, distribution.lambda_cos(wo));
-            choice.offer(probability, |u| distribution.sample_visible(wo, u));
+            choice.offer(probability, |u| draw(distribution, u));
         }
         choice.chosen()
     }

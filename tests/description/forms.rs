@@ -6,7 +6,7 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub(crate) const FRESNEL: [&str; 28] = [
+pub(crate) const FRESNEL: [&str; 27] = [
     r#"{"constant":0.5}"#,
     r#"{"constant":[0.25,0.5,1]}"#,
     r#"{"dielectric":{"ior":1.5}}"#,
