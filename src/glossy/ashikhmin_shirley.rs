@@ -130,15 +130,16 @@ impl<T: Real, C: Color<T>> AshikhminShirley<C, T> {
         self.exponents
     }
 
-    /// The probability to draw from the lobe.
+    /// The probabilities to draw from the lobe and from the cosine.
     #[inline(always)]
-    fn share(&self, wo: T::Vec3) -> T {
+    fn shares(&self, wo: T::Vec3) -> [T; 2] {
         let cos = above_or_normal::<T, T::Vec3>(wo).z().at_most(T::one());
         let edge = (T::lit(20.0) * fifth(T::one() - cos) + T::one()) * T::lit(1.0 / 21.0);
         let lobe = self.specular.mean();
         let lobe = lobe + (T::one() - lobe) * edge;
         let ground = self.ground.mean() * T::lit(23.0 / 28.0) * entering(cos);
-        lobe / (lobe + ground)
+        let sum = lobe + ground;
+        [lobe / sum, ground / sum]
     }
 
     /// fₛ V·H max(N·L, N·V)/F.
@@ -169,9 +170,9 @@ impl<T: Real, C: Color<T>> AshikhminShirley<C, T> {
     }
 
     #[inline(always)]
-    fn density(&self, share: T, pair: &Pair<T>) -> T {
+    fn density(&self, [share, rest]: [T; 2], pair: &Pair<T>) -> T {
         let lobe = (self.lobe(pair) / pair.cos_d).min(T::max_finite());
-        let density = share * lobe + (T::one() - share) * (pair.cos_i * T::lit(FRAC_1_PI));
+        let density = share * lobe + rest * (pair.cos_i * T::lit(FRAC_1_PI));
         density.min(T::max_finite()).only_where(pair.above)
     }
 }
@@ -200,16 +201,17 @@ impl<T: Real, C: Color<T>> Brdf<T> for AshikhminShirley<C, T> {
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        self.density(self.share(wo), &Pair::new(wi, wo))
+        self.density(self.shares(wo), &Pair::new(wi, wo))
     }
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let (zero, one) = (T::zero(), T::one());
-        let ([u, turn], share) = (uniform(u), self.share(wo));
+        let ([u, turn], shares) = (uniform(u), self.shares(wo));
+        let [share, rest] = shares;
         let mirrored = u.lt(share);
-        let part = T::select(mirrored, u / share, (u - share) / (one - share).max(T::lit(1e-30)));
-        let part = part.min(one);
+        let part = T::select(mirrored, u / share, (u - share) / rest.max(T::lit(1e-30)));
+        let part = part.clamp(zero, one);
 
         let [along_x, along_y] = self.exponents;
         let (sin, cos) = turn.sin_cos_turns();
@@ -224,7 +226,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for AshikhminShirley<C, T> {
         let of_ground: T::Vec3 = cosine_hemisphere([part, turn]);
         let wi = Vector::select(mirrored, of_lobe, of_ground);
         let pair = Pair::new(wi, wo);
-        let pdf = self.density(share, &pair);
+        let pdf = self.density(shares, &pair);
         let drawn = pair.above.and(pdf.gt(zero));
         let weight = self.value(&pair) * (pair.cos_i / T::select(drawn, pdf, one));
         Sample { wi, weight, pdf }.only_where(drawn)

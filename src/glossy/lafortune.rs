@@ -1,7 +1,7 @@
 use alloc::vec::Vec;
 use core::f64::consts::{FRAC_1_PI, TAU};
 
-use super::cosine_power::{power_of_cosine, power_of_versine, quarter_turn};
+use super::cosine_power::{power_of_cosine, quarter_turn};
 use super::mirror::{sample_power, unit_viewer};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{above_surface, both_above};
@@ -190,9 +190,14 @@ impl<T: Real, C: Color<T>> LafortuneLobe<C, T> {
     /// Density of a sample of the lobe.
     #[inline(always)]
     fn density(&self, axis: T::Vec3, wi: T::Vec3) -> T {
-        let versine = Vector::length_squared(wi - axis) * T::lit(0.5);
-        let constant = (self.exponent + T::one()) * T::lit(0.5 * FRAC_1_PI);
-        constant * power_of_versine(versine, self.exponent)
+        let (half, one) = (T::lit(0.5), T::one());
+        // Whichever of the cosine and what it lacks to 1 has the digits.
+        let versine = Vector::length_squared(wi - axis) * half;
+        let cos = T::select(versine.lt(half), one - versine, Vector::dot(wi, axis));
+        let positive = cos.gt(T::zero());
+        let part = T::select(positive, cos, one).max(T::lit(2e-38));
+        let power = part.power_of_part(versine, self.exponent).only_where(positive);
+        (self.exponent + one) * T::lit(0.5 * FRAC_1_PI) * power
     }
 
     /// (n + 2)/2π ∫ (D̂·L)₊ⁿ (N·L)₊ dω around an axis, as of Phong's lobe. Around one that points below the

@@ -43,6 +43,9 @@ use crate::sampling::{cosine_hemisphere, uniform};
 ///
 /// The directional albedo is an integral over θᵢ and the azimuth, good to 10⁻⁶ for |ξ| ≤ 0.6.
 ///
+/// # Derivatives
+/// By w at 1, where √(1 − w) has none: answered as 0.
+///
 /// # Sampling
 /// With the phase function around the viewer, what falls below the surface mirrored at it, or with cosθ/π, chosen by about
 /// how much light is scattered once and more often.
@@ -186,19 +189,21 @@ impl<T: Real, C: Color<T>> Hapke<C, T> {
         })
     }
 
-    /// The probability to draw with the phase function.
+    /// The probabilities to draw with the phase function and from the cosine.
     #[inline(always)]
-    fn share(&self, wo: T::Vec3) -> T {
+    fn shares(&self, wo: T::Vec3) -> [T; 2] {
         let one = T::one();
         let cos = above_or_normal::<T, T::Vec3>(wo).z().at_most(one);
         let again = self.w.map(|w| self.h_function.product_less_one(w, [cos, T::lit(0.5)]));
-        one / (one + again.mean())
+        let again = again.mean();
+        let once = one / (one + again);
+        [once, again * once]
     }
 
     #[inline(always)]
-    fn density(&self, share: T, wi: T::Vec3, wo: T::Vec3) -> T {
+    fn density(&self, [share, rest]: [T; 2], wi: T::Vec3, wo: T::Vec3) -> T {
         let [_, scattered] = self.scattered(wi, wo);
-        let density = share * scattered + (T::one() - share) * (wi.z() * T::lit(FRAC_1_PI));
+        let density = share * scattered + rest * (wi.z() * T::lit(FRAC_1_PI));
         density.only_where(both_above::<T>(wi, wo))
     }
 }
@@ -213,16 +218,17 @@ impl<T: Real, C: Color<T>> Brdf<T> for Hapke<C, T> {
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        self.density(self.share(wo), wi, wo)
+        self.density(self.shares(wo), wi, wo)
     }
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
         let (zero, one) = (T::zero(), T::one());
-        let ([u, turn], share) = (uniform(u), self.share(wo));
+        let ([u, turn], shares) = (uniform(u), self.shares(wo));
+        let [share, rest] = shares;
         let once = u.lt(share);
-        let rest = (one - share).max(T::lit(1e-30));
-        let part = T::select(once, u / share, (u - share) / rest).clamp(zero, one);
+        let part =
+            T::select(once, u / share, (u - share) / rest.max(T::lit(1e-30))).clamp(zero, one);
         let (versine, antiversine) = phase::sample(self.xi, part);
         let sin = (versine * antiversine).sqrt();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
@@ -230,7 +236,7 @@ impl<T: Real, C: Color<T>> Brdf<T> for Hapke<C, T> {
         let drawn: T::Vec3 = Frame::from_normal(above_or_normal::<T, _>(wo)).to_world(around);
         let folded: T::Vec3 = Vector::new(drawn.x(), drawn.y(), drawn.z().abs());
         let wi = Vector::select(once, folded, cosine_hemisphere([part, turn]));
-        let pdf = self.density(share, wi, wo);
+        let pdf = self.density(shares, wi, wo);
         let some = pdf.gt(zero);
         let scale = (wi.z() / T::select(some, pdf, one)).min(T::max_finite());
         let weight = (self.eval(wi, wo) * scale).map(|value| value.min(T::max_finite()));

@@ -95,14 +95,14 @@ impl<T: Real> Roughness<T> {
         let delta = rest * (one + a.less) - a.less - b.less;
         let slope = self.tan / delta.max(T::lit(1e-30));
         // E₂(b) − E₂(a).
-        let step = -b.second * (b.exponent - a.exponent).min(zero).exp_m1();
+        let step = -b.second * (b.exponent - a.exponent).at_most(zero).exp_m1();
         let of_a = cos_squared * (b.second + step) - step;
         let of_b = cos_squared * a.second + step;
         let a_eff = (a.cos + a.sin * slope * of_a).max(zero);
         let b_eff = (b.cos + b.sin * slope * of_b).max(zero);
 
-        let falling = (-(tangent + tangent).min(T::lit(100.0))).exp();
-        let shaded = one - falling * (one - a.cos / a.eta);
+        let twice = (tangent + tangent).min(T::lit(100.0));
+        let shaded = (-twice).exp() * (a.cos / a.eta) - (-twice).exp_m1();
         let sum = (self.chi * (a_eff + b_eff)).max(T::lit(1e-37));
         let scale = (a_eff / a.eta) * (b_eff / b.eta) * self.chi / (sum * shaded);
         Seen { cosines: [self.chi * a_eff, self.chi * b_eff], scale: scale.min(T::max_finite()) }

@@ -99,6 +99,13 @@ fn lerp<T: Real>(a: T, b: T, t: T) -> T {
     a * (T::one() - t) + b * t
 }
 
+/// 1 − (1 − u)⁵ without the difference.
+#[inline(always)]
+fn entering<T: Real>(cos: T) -> T {
+    let (five, ten) = (T::lit(5.0), T::lit(10.0));
+    cos * (five - cos * (ten - cos * (ten - cos * (five - cos))))
+}
+
 /// (1 − u)⁵.
 #[inline(always)]
 fn schlick<T: Real>(cos: T) -> T {
@@ -179,9 +186,9 @@ impl<T: Real, C: Color<T>> Disney2012<C, T> {
     #[inline(always)]
     fn base(&self, [i, o]: [T; 2], cos_d: T) -> C {
         let (half, one, two) = (T::lit(0.5), T::one(), T::lit(2.0));
-        let (light, viewer, edge) = (schlick(i), schlick(o), schlick(cos_d));
+        let (light, viewer, edge) = (entering(i), entering(o), schlick(cos_d));
         let steep = cos_d.squared() * self.roughness;
-        let faces = |f90: T| lerp(one, f90, light) * lerp(one, f90, viewer);
+        let faces = |f90: T| lerp(f90, one, light) * lerp(f90, one, viewer);
         let retro = faces(half + two * steep);
         let sum = (one / (i + o)).min(T::lit(1e30));
         let within = T::lit(1.25) * (faces(steep) * (sum - half) + half);

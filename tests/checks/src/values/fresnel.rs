@@ -235,7 +235,7 @@ fn gulbrandsen<T: Number>() -> Verdict {
 
 /// A dip too deep, and an edge too bright: held, and averaged as held.
 fn held<T: Number>() -> Verdict {
-    let term = Lazanyi::new(T::lit(0.1), T::lit(3.0), T::lit(5.0))?;
+    let term = Lazanyi::new(T::lit(0.05), T::lit(20.0), T::lit(5.0))?;
     near("held at 0", term.reflectance(T::lit(0.3)), 0.0, 0.0)?;
     let sum = |reflectance: &dyn Fn(f64) -> f64| {
         let at = |step: i32| (f64::from(step) + 0.5) / 1e5;

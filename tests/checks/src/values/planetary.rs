@@ -11,12 +11,13 @@ use glam::DVec3;
 use super::reference::each;
 use super::{Check, Number, Verdict, fail, vector};
 
-pub(super) fn all<T: Number>() -> [Check; 5] {
+pub(super) fn all<T: Number>() -> [Check; 6] {
     [
         ("planetary models", planetary::<T>),
         ("the full moon's disc", moon_disc::<T>),
         ("phase functions", phase_functions::<T>),
         ("Hapke", hapke::<T>),
+        ("energy of grains that lose none", white_grains::<T>),
         ("discs of the full moon", discs::<T>),
     ]
 }
@@ -115,4 +116,17 @@ fn discs<T: Number>() -> Verdict {
         let grains = Hapke::new(w)?.with_phase(T::lit(-0.3))?.with_surge(one, T::lit(0.05))?;
         case.same("hapke", disc(&grains.with_roughness(case.input("theta_bar"))?))
     })
+}
+
+/// With w = 1, where H of 1981 makes too much of the light at normal incidence.
+fn white_grains<T: Number>() -> Verdict {
+    let white = Hapke::new(T::one())?;
+    let at = |model: Hapke<T, T>, theta| model.albedo(vector::<T>(from_spherical(theta, 0.2)));
+    near("1993 at the normal", at(white, 0.0).into(), 0.9855645, 1e-6)?;
+    near("1993 at 60°", at(white, PI / 3.0).into(), 0.9869897, 1e-6)?;
+    let of_1981 = white.with_h_function(HFunction::Of1981);
+    near("1981 at the normal", at(of_1981, 0.0).into(), 1.0397208, 1e-6)?;
+    near("1981 at 60°", at(of_1981, PI / 3.0).into(), 1.0, 1e-6)?;
+    let surging = white.with_phase(T::lit(-0.3))?.with_surge(T::one(), T::lit(0.05))?;
+    near("1993 with a surge", at(surging, 0.0).into(), 1.1202266, 1e-6)
 }
