@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use brdf::{BeckmannKirchhoff, Bsdf, Constant, Frame, He1991, TransportMode, from_spherical};
+use brdf::{
+    BeckmannKirchhoff, Bsdf, Constant, Dual, Frame, He1991, ParameterError, Real, TransportMode,
+    from_spherical, gradient,
+};
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -136,4 +139,48 @@ fn two_numbers_are_enough() {
     for (three, two) in three.into_iter().zip(two) {
         assert!((three - two).abs() < 0.01, "{three} {two}");
     }
+}
+
+/// By σ, τ, λ and the height of the viewer, against central differences: few orders and many, deep slopes,
+/// the normal; and of a mirror, where nothing is scattered, they are 0.
+#[test]
+fn values_have_their_derivatives() {
+    fn value<T: Real>(
+        [sigma, correlation, wavelength, cos]: [T; 4],
+        grazing: f64,
+    ) -> Result<T, ParameterError> {
+        let [light, x]: [T; 2] = [grazing.cos(), grazing.sin()].map(T::lit);
+        let wi = brdf::Vector::new(-x, T::zero(), light);
+        let sin = (T::one() - cos.squared()).max(T::lit(1e-30)).sqrt();
+        let wo = brdf::Vector::new(sin, T::zero(), cos);
+        let he = He1991::<_, T, T>::new(sigma, correlation, Constant::new(T::one())?, wavelength)?;
+        Ok(he.eval(wi, wo, TransportMode::Radiance))
+    }
+    for (sigma, correlation, cos, grazing) in [
+        (50.0, 1000.0, 0.7, 0.6),
+        (200.0, 2000.0, 0.8, 0.7),
+        (400.0, 1500.0, 0.3, 1.2),
+        (3000.0, 9000.0, 0.1, 1.4),
+        (3000.0, 9000.0, 0.9, 0.0),
+    ] {
+        let at = [sigma, correlation, 550.0, cos];
+        let got = gradient(at, |at| value::<Dual<f64, 4>>(at, grazing)).expect("in range");
+        assert_eq!(got.value, value(at, grazing).expect("in range"));
+        for (place, derivative) in got.derivatives.into_iter().enumerate() {
+            let step = 1e-5 * at[place];
+            let moved = |by: f64| {
+                let mut at = at;
+                at[place] += by;
+                value(at, grazing).expect("in range")
+            };
+            let want = (moved(step) - moved(-step)) / (2.0 * step);
+            let scale = got.value / at[place];
+            assert!(
+                (derivative - want).abs() < 1e-6 * (scale + want.abs()),
+                "{at:?} {place}: {derivative} {want}"
+            );
+        }
+    }
+    let smooth = gradient([0.0, 1000.0, 550.0, 1.0], |at| value::<Dual<f64, 4>>(at, 0.0));
+    assert_eq!(smooth.expect("in range").derivatives, [0.0; 4]);
 }
