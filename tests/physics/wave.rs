@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use brdf::{
-    BeckmannKirchhoff, Bsdf, Constant, Dual, Frame, He1991, ParameterError, Real, TransportMode,
-    from_spherical, gradient,
+    BeckmannKirchhoff, Bsdf, Color, Constant, Dual, Frame, He1991, ParameterError, Real, Spectrum,
+    TransportMode, from_spherical, gradient,
 };
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
@@ -139,6 +139,26 @@ fn two_numbers_are_enough() {
     for (three, two) in three.into_iter().zip(two) {
         assert!((three - two).abs() < 0.01, "{three} {two}");
     }
+}
+
+/// A colour of any channels is as many models of one wavelength.
+#[test]
+fn a_spectrum_is_its_wavelengths() {
+    const LINES: [f64; 5] = [380.0, 450.0, 550.0, 650.0, 1500.0];
+    let lines: Spectrum<f64, 5> = Color::<f64>::from_channels(LINES);
+    let white = Constant::new(Color::<f64>::splat(0.9)).expect("a reflectance");
+    let he = He1991::<_, Spectrum<f64, 5>, f64>::new(100.0, 1500.0, white, lines).expect("lengths");
+    let (wi, wo) = (viewer(30.0), from_spherical(0.7, 3.2));
+    let values = Color::<f64>::channels(he.eval(wi, wo, TransportMode::Radiance));
+    let lobes = Color::<f64>::channels(he.specular(wo, TransportMode::Radiance).reflected.weight);
+    for (channel, wavelength) in LINES.into_iter().enumerate() {
+        let white = Constant::new(0.9).expect("a reflectance");
+        let one = He1991::new(100.0, 1500.0, white, wavelength).expect("lengths");
+        assert_eq!(values[channel], one.eval(wi, wo, TransportMode::Radiance));
+        let lobe = one.specular(wo, TransportMode::Radiance).reflected.weight;
+        assert_eq!(lobes[channel], lobe);
+    }
+    assert!(lobes.windows(2).all(|pair| pair[0] < pair[1]));
 }
 
 /// By σ, τ, λ and the height of the viewer, against central differences: few orders and many, deep slopes,
