@@ -3,8 +3,8 @@
 use std::f64::consts::TAU;
 
 use brdf::{
-    BeckmannKirchhoff, Bsdf, Color, Constant, Dual, Frame, He1991, ParameterError, Real, Spectrum,
-    TransportMode, from_spherical, gradient,
+    BeckmannKirchhoff, Bsdf, BsdfSample, Color, Conductor, Constant, Dual, Frame, He1991,
+    ParameterError, Real, Spectrum, TransportMode, from_spherical, gradient,
 };
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
@@ -119,7 +119,7 @@ fn two_numbers_are_enough() {
     let mut rng = Pcg64Mcg::seed_from_u64(7);
     const COUNT: u32 = 100_000;
     // Means of what tells the parts apart.
-    let means = |samples: &mut dyn FnMut() -> brdf::BsdfSample<f64, DVec3>| {
+    let means = |samples: &mut dyn FnMut() -> BsdfSample<f64, DVec3>| {
         let mut sums = [0.0; 4];
         for _ in 0..COUNT {
             let sample = samples();
@@ -159,6 +159,40 @@ fn a_spectrum_is_its_wavelengths() {
         assert_eq!(lobes[channel], lobe);
     }
     assert!(lobes.windows(2).all(|pair| pair[0] < pair[1]));
+}
+
+/// Samples of polarised light are those of natural light, with matrices of physical surfaces.
+#[test]
+fn polarized_samples_are_those_of_natural_light() {
+    let metal = Conductor::new(0.789405353, 5.851936501).expect("an index");
+    let he = He1991::new(60.0, 1000.0, metal, 500.0).and_then(|he| he.with_uniform_diffuse(0.05));
+    let he = he.expect("in range");
+    let wo: DVec3 = viewer(55.0);
+    let mut rng = Pcg64Mcg::seed_from_u64(9);
+    let (mut lobes, mut kept) = (0, 0.0);
+    for _ in 0..2000 {
+        let u = [rng.random(), rng.random(), rng.random()];
+        let (sample, matrix): (BsdfSample<f64, f64>, _) = he.sample_mueller(wo, u);
+        assert_eq!(sample, he.sample(wo, u, TransportMode::Radiance));
+        assert_eq!(matrix.rows[0][0], sample.weight);
+        assert!(matrix.realizability() > -1e-13 * sample.weight.max(1.0), "{matrix:?}");
+        if sample.specular {
+            let lobe = he.specular_mueller(wo);
+            for (row, of_lobe) in matrix.rows.iter().flatten().zip(lobe.rows.iter().flatten()) {
+                let scaled = of_lobe * sample.weight / lobe.rows[0][0];
+                assert!((row - scaled).abs() < 1e-14, "{row} {scaled}");
+            }
+            lobes += 1;
+        } else if sample.pdf > 0.0 {
+            let value = he.mueller(sample.wi, wo);
+            let scale = sample.wi.z / sample.pdf;
+            for (row, of_value) in matrix.rows.iter().flatten().zip(value.rows.iter().flatten()) {
+                assert!((row - of_value * scale).abs() < 1e-12 * sample.weight, "{matrix:?}");
+            }
+            kept += matrix.rows[1][0].abs();
+        }
+    }
+    assert!(lobes > 200 && kept > 1.0, "{lobes} {kept}");
 }
 
 /// By σ, τ, λ and the height of the viewer, against central differences: few orders and many, deep slopes,
