@@ -39,8 +39,9 @@ use crate::real::{Color, Lift, Real, lift};
 /// no grazing directions.
 ///
 /// # Accuracy
-/// The series is summed around its largest term, however large g is: to 4·10⁻¹³ relative in `f64`, 10⁻⁶
-/// in `f32` near the lobe; far from it the exponents' own rounding counts.
+/// The series is summed around its largest term by a number of terms that does not grow with g: to 5·10⁻¹⁴
+/// relative in `f64`, 4·10⁻⁷ (1 + x) in `f32`, where the sum is e⁻ˣ times that in the mirror direction;
+/// measured for g of 10⁻¹² to 10⁶.
 ///
 /// # Sampling
 /// The lobe and the diffuse part by their shares of the power, the former exactly, the latter guessed; then

@@ -2,7 +2,10 @@
 
 use std::f64::consts::TAU;
 
-use brdf::{BeckmannKirchhoff, Bsdf, Constant, Frame, He1991, TransportMode, from_spherical};
+use brdf::{
+    BeckmannKirchhoff, Bsdf, BsdfSample, Color, Conductor, Constant, Dual, Frame, He1991,
+    ParameterError, Real, Spectrum, TransportMode, from_spherical, gradient,
+};
 use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
@@ -116,7 +119,7 @@ fn two_numbers_are_enough() {
     let mut rng = Pcg64Mcg::seed_from_u64(7);
     const COUNT: u32 = 100_000;
     // Means of what tells the parts apart.
-    let means = |samples: &mut dyn FnMut() -> brdf::BsdfSample<f64, DVec3>| {
+    let means = |samples: &mut dyn FnMut() -> BsdfSample<f64, DVec3>| {
         let mut sums = [0.0; 4];
         for _ in 0..COUNT {
             let sample = samples();
@@ -136,4 +139,102 @@ fn two_numbers_are_enough() {
     for (three, two) in three.into_iter().zip(two) {
         assert!((three - two).abs() < 0.01, "{three} {two}");
     }
+}
+
+/// A colour of any channels is as many models of one wavelength.
+#[test]
+fn a_spectrum_is_its_wavelengths() {
+    const LINES: [f64; 5] = [380.0, 450.0, 550.0, 650.0, 1500.0];
+    let lines: Spectrum<f64, 5> = Color::<f64>::from_channels(LINES);
+    let white = Constant::new(Color::<f64>::splat(0.9)).expect("a reflectance");
+    let he = He1991::<_, Spectrum<f64, 5>, f64>::new(100.0, 1500.0, white, lines).expect("lengths");
+    let (wi, wo) = (viewer(30.0), from_spherical(0.7, 3.2));
+    let values = Color::<f64>::channels(he.eval(wi, wo, TransportMode::Radiance));
+    let lobes = Color::<f64>::channels(he.specular(wo, TransportMode::Radiance).reflected.weight);
+    for (channel, wavelength) in LINES.into_iter().enumerate() {
+        let white = Constant::new(0.9).expect("a reflectance");
+        let one = He1991::new(100.0, 1500.0, white, wavelength).expect("lengths");
+        assert_eq!(values[channel], one.eval(wi, wo, TransportMode::Radiance));
+        let lobe = one.specular(wo, TransportMode::Radiance).reflected.weight;
+        assert_eq!(lobes[channel], lobe);
+    }
+    assert!(lobes.windows(2).all(|pair| pair[0] < pair[1]));
+}
+
+/// Samples of polarised light are those of natural light, with matrices of physical surfaces.
+#[test]
+fn polarized_samples_are_those_of_natural_light() {
+    let metal = Conductor::new(0.789405353, 5.851936501).expect("an index");
+    let he = He1991::new(60.0, 1000.0, metal, 500.0).and_then(|he| he.with_uniform_diffuse(0.05));
+    let he = he.expect("in range");
+    let wo: DVec3 = viewer(55.0);
+    let mut rng = Pcg64Mcg::seed_from_u64(9);
+    let (mut lobes, mut kept) = (0, 0.0);
+    for _ in 0..2000 {
+        let u = [rng.random(), rng.random(), rng.random()];
+        let (sample, matrix): (BsdfSample<f64, f64>, _) = he.sample_mueller(wo, u);
+        assert_eq!(sample, he.sample(wo, u, TransportMode::Radiance));
+        assert_eq!(matrix.rows[0][0], sample.weight);
+        assert!(matrix.realizability() > -1e-13 * sample.weight.max(1.0), "{matrix:?}");
+        if sample.specular {
+            let lobe = he.specular_mueller(wo);
+            for (row, of_lobe) in matrix.rows.iter().flatten().zip(lobe.rows.iter().flatten()) {
+                let scaled = of_lobe * sample.weight / lobe.rows[0][0];
+                assert!((row - scaled).abs() < 1e-14, "{row} {scaled}");
+            }
+            lobes += 1;
+        } else if sample.pdf > 0.0 {
+            let value = he.mueller(sample.wi, wo);
+            let scale = sample.wi.z / sample.pdf;
+            for (row, of_value) in matrix.rows.iter().flatten().zip(value.rows.iter().flatten()) {
+                assert!((row - of_value * scale).abs() < 1e-12 * sample.weight, "{matrix:?}");
+            }
+            kept += matrix.rows[1][0].abs();
+        }
+    }
+    assert!(lobes > 200 && kept > 1.0, "{lobes} {kept}");
+}
+
+/// By σ, τ, λ and the height of the viewer, against central differences: few orders and many, deep slopes,
+/// the normal; and of a mirror, where nothing is scattered, they are 0.
+#[test]
+fn values_have_their_derivatives() {
+    fn value<T: Real>(
+        [sigma, correlation, wavelength, cos]: [T; 4],
+        grazing: f64,
+    ) -> Result<T, ParameterError> {
+        let [light, x]: [T; 2] = [grazing.cos(), grazing.sin()].map(T::lit);
+        let wi = brdf::Vector::new(-x, T::zero(), light);
+        let sin = (T::one() - cos.squared()).max(T::lit(1e-30)).sqrt();
+        let wo = brdf::Vector::new(sin, T::zero(), cos);
+        let he = He1991::<_, T, T>::new(sigma, correlation, Constant::new(T::one())?, wavelength)?;
+        Ok(he.eval(wi, wo, TransportMode::Radiance))
+    }
+    for (sigma, correlation, cos, grazing) in [
+        (50.0, 1000.0, 0.7, 0.6),
+        (200.0, 2000.0, 0.8, 0.7),
+        (400.0, 1500.0, 0.3, 1.2),
+        (3000.0, 9000.0, 0.1, 1.4),
+        (3000.0, 9000.0, 0.9, 0.0),
+    ] {
+        let at = [sigma, correlation, 550.0, cos];
+        let got = gradient(at, |at| value::<Dual<f64, 4>>(at, grazing)).expect("in range");
+        assert_eq!(got.value, value(at, grazing).expect("in range"));
+        for (place, derivative) in got.derivatives.into_iter().enumerate() {
+            let step = 1e-5 * at[place];
+            let moved = |by: f64| {
+                let mut at = at;
+                at[place] += by;
+                value(at, grazing).expect("in range")
+            };
+            let want = (moved(step) - moved(-step)) / (2.0 * step);
+            let scale = got.value / at[place];
+            assert!(
+                (derivative - want).abs() < 1e-6 * (scale + want.abs()),
+                "{at:?} {place}: {derivative} {want}"
+            );
+        }
+    }
+    let smooth = gradient([0.0, 1000.0, 550.0, 1.0], |at| value::<Dual<f64, 4>>(at, 0.0));
+    assert_eq!(smooth.expect("in range").derivatives, [0.0; 4]);
 }

@@ -189,7 +189,6 @@ fn smooth<T: Number>() -> Verdict {
     near("value of a mirror", mirror.eval(wi, wo, RADIANCE), 0.0, 0.0)?;
     let f: f64 = gold.reflectance(wo.z()).into();
     near("a mirror", mirror.specular(wo, RADIANCE).reflected.weight, f, 1e-15)?;
-    near("power of a mirror", mirror.power(wo).reflectance, f, 1e-15)?;
     let (sigma, correlation, wavelength) = (0.01, 2000.0, 650.0);
     let smooth =
         BeckmannKirchhoff::new(lit(sigma), lit(correlation), white::<T>()?, lit(wavelength))?;
