@@ -48,7 +48,7 @@
 //!
 //! let own = OpticalConstants::from_csv("wavelength_nm,n,k\n600,0.2,3\n700,0.1,4\n")?;
 //! assert_eq!(red(&own)?, 3.5);
-//! assert!((red(&GOLD)? - 3.5935).abs() < 1e-4);
+//! assert!((red(&GOLD)? - 3.6024).abs() < 1e-4);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

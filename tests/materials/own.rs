@@ -145,7 +145,7 @@ fn errors_of_texts_name_the_line() {
     let eta: (&str, &[&str]) = ("tabulated n", &["0.4 1.6", "0.6 1.5"]);
     for (tables, line, want) in [
         (&[("formula 2", &[][..])][..], 8, "expected the type `tabulated nk`, `tabulated n` or"),
-        (&[("tabulated k", &["0.4 1"])], 16, "expected a list behind `DATA:` with"),
+        (&[("tabulated k", &["0.4 1"])], 15, "expected a list behind `DATA:` with"),
         (&[], 12, "expected a list behind `DATA:` with"),
         (&[eta, eta], 12, "this is given twice"),
         (&[("tabulated nk", &["0.4 1 0", "0.5 1"])], 11, "expected 3 numbers, not 2"),
