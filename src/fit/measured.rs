@@ -2,10 +2,22 @@
 
 use glam::DVec3;
 
+use super::error::{FitError, Unfit};
 use crate::brdf::Brdf;
 use crate::description::{BrdfDescription, DescriptionError, FresnelDescription, Number, Path};
+use crate::direction::check_direction;
+use crate::error::Range;
 use crate::fresnel::Fresnel;
 use crate::real::{Real, Vector};
+
+/// A measured value; further off it is a mistake and no light.
+const VALUE: Range = Range { lower: -1e100, upper: 1e100 };
+
+/// A weight.
+const WEIGHT: Range = Range { lower: 0.0, upper: 1e100 };
+
+/// The cosine of an angle of incidence.
+const COSINE: Range = Range { lower: 0.0, upper: 1.0 };
 
 /// A measured value of f_r.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,9 +112,81 @@ pub trait Fittable: Clone {
         points: &[Self::Point],
         metric: Metric,
     ) -> Result<Vec<T>, DescriptionError>;
-    /// How many residuals count.
+    /// The measurements that count, once they are checked.
     #[doc(hidden)]
-    fn count(points: &[Self::Point]) -> usize;
+    fn counting(points: &[Self::Point]) -> Result<Counting<Self::Point>, FitError>;
+    /// The sum of the squares of what was measured, weighted, in the metric.
+    #[doc(hidden)]
+    fn size(points: &[Self::Point], metric: Metric) -> f64;
+}
+
+/// What counts of the measurements.
+#[doc(hidden)]
+#[derive(Clone, Debug)]
+pub struct Counting<P> {
+    /// Those that have a weight, in parts of the largest one.
+    pub(super) points: Vec<P>,
+    /// How many channels have one.
+    pub(super) count: usize,
+    /// The largest weight.
+    pub(super) unit: f64,
+}
+
+/// The measurements with a weight, each checked.
+fn counting<P: Copy>(
+    points: &[P],
+    weight: impl Fn(&mut P) -> &mut DVec3,
+    check: impl Fn(&P) -> Result<(), Unfit>,
+) -> Result<Counting<P>, FitError> {
+    let (mut count, mut unit, mut kept) = (0, 0.0_f64, Vec::with_capacity(points.len()));
+    for (index, point) in points.iter().enumerate() {
+        let mut point = *point;
+        let unfit = |problem| FitError::Measured { index, problem };
+        let weight = *weight(&mut point);
+        each_channel("weight", WEIGHT, weight, DVec3::ONE).map_err(unfit)?;
+        if weight == DVec3::ZERO {
+            continue;
+        }
+        check(&point).map_err(unfit)?;
+        count += weight.to_array().iter().filter(|weight| **weight > 0.0).count();
+        unit = unit.max(weight.max_element());
+        kept.push(point);
+    }
+    for point in &mut kept {
+        *weight(point) /= unit;
+    }
+    Ok(Counting { points: kept, count, unit })
+}
+
+/// Checks the channels that count.
+fn each_channel(
+    parameter: &'static str,
+    range: Range,
+    value: DVec3,
+    weight: DVec3,
+) -> Result<(), Unfit> {
+    for (channel, (value, weight)) in
+        value.to_array().into_iter().zip(weight.to_array()).enumerate()
+    {
+        if weight > 0.0 {
+            range.check(parameter, value).map_err(|error| Unfit::Number(error.at(channel)))?;
+        }
+    }
+    Ok(())
+}
+
+fn above(direction: &'static str, w: DVec3) -> Result<(), Unfit> {
+    check_direction(w).map_err(|error| Unfit::NoDirection { direction, error })?;
+    if w.z > 0.0 { Ok(()) } else { Err(Unfit::Below { direction }) }
+}
+
+fn size(values: impl Iterator<Item = (DVec3, DVec3)>) -> f64 {
+    let squares = values.map(|(value, weight)| {
+        let both = value.to_array().into_iter().zip(weight.to_array());
+        both.map(|(value, weight)| if weight > 0.0 { (value * weight).powi(2) } else { 0.0 })
+            .sum::<f64>()
+    });
+    squares.sum()
 }
 
 /// The channels of a colour.
@@ -127,10 +211,6 @@ fn residual<T: Real>(
         };
     }
     residuals
-}
-
-fn counting(weight: DVec3) -> usize {
-    weight.to_array().iter().filter(|weight| **weight != 0.0).count()
 }
 
 fn vector<T: Real>(w: DVec3) -> T::Vec3 {
@@ -165,8 +245,23 @@ impl Fittable for BrdfDescription {
         Ok(residuals.collect())
     }
 
-    fn count(points: &[Measured]) -> usize {
-        points.iter().map(|point| counting(point.weight)).sum()
+    fn counting(points: &[Measured]) -> Result<Counting<Measured>, FitError> {
+        counting(
+            points,
+            |point| &mut point.weight,
+            |point| {
+                above("wi", point.wi)?;
+                above("wo", point.wo)?;
+                each_channel("value", VALUE, point.value, point.weight)
+            },
+        )
+    }
+
+    fn size(points: &[Measured], metric: Metric) -> f64 {
+        size(points.iter().map(|point| {
+            let value = point.value.to_array().map(|value| metric.of_measured(value, point.wi.z));
+            (DVec3::from(value), point.weight)
+        }))
     }
 }
 
@@ -197,7 +292,18 @@ impl Fittable for FresnelDescription {
         Ok(residuals.collect())
     }
 
-    fn count(points: &[MeasuredReflectance]) -> usize {
-        points.iter().map(|point| counting(point.weight)).sum()
+    fn counting(points: &[MeasuredReflectance]) -> Result<Counting<MeasuredReflectance>, FitError> {
+        counting(
+            points,
+            |point| &mut point.weight,
+            |point| {
+                COSINE.check("cos", point.cos).map_err(Unfit::Number)?;
+                each_channel("reflectance", VALUE, point.reflectance, point.weight)
+            },
+        )
+    }
+
+    fn size(points: &[MeasuredReflectance], _: Metric) -> f64 {
+        size(points.iter().map(|point| (point.reflectance, point.weight)))
     }
 }

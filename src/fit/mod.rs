@@ -46,18 +46,19 @@
 //! one of the smallest [`residual`](Fitted::residual).
 
 mod error;
+mod face;
 mod fitted;
 mod free;
 mod measured;
+mod problem;
 mod solve;
 
-use nalgebra::DVector;
-
-pub use error::FitError;
+pub use error::{FitError, Unfit};
 pub use fitted::{Fitted, FittedParameter};
 use free::Free;
+use measured::Counting;
 pub use measured::{Fittable, Measured, MeasuredReflectance, Metric};
-use solve::Problem;
+use problem::Problem;
 
 use crate::description::Number;
 use crate::error::Range;
@@ -166,26 +167,21 @@ impl<'a, D: Fittable> Fit<'a, D> {
         if let Some(failure) = &self.failure {
             return Err(failure.clone());
         }
-        let (count, free) = (D::count(measured), self.free.len());
+        let free = self.free.len();
         if free == 0 {
             return Err(FitError::NothingFree);
         }
+        let Counting { points, count, unit } = D::counting(measured)?;
         if count < free {
             return Err(FitError::TooFew { measured: count, free });
         }
-        let start = self.free.iter().map(Free::unbounded_start);
         let problem = Problem {
             description: self.description,
-            points: measured,
+            points: &points,
             metric: self.metric,
             free: &self.free,
-            unbounded: DVector::from_iterator(free, start),
         };
-        let at_start = self.description.residuals(&|_, value| value, measured, self.metric)?;
-        if at_start.iter().any(|residual: &f64| !residual.is_finite()) {
-            return Err(FitError::NotFinite);
-        }
-        let (problem, half_sum) = problem.minimize()?;
-        Fitted::of(&problem, 2.0 * half_sum, count)
+        let end = problem.minimize(D::size(&points, self.metric))?;
+        Fitted::of(&problem, &end, count, unit)
     }
 }
