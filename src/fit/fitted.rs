@@ -78,14 +78,16 @@ impl<D> Fitted<D> {
 }
 
 impl<D: Fittable> Fitted<D> {
-    /// The end of a fit of `count` residuals, which are in parts of `unit`.
+    /// The end of a fit of `count` residuals, which are in parts of the unit; the size is the sum of the
+    /// squares of what was measured.
     pub(super) fn of(
         problem: &Problem<'_, D>,
-        end: &End,
+        end: End,
         count: usize,
-        unit: f64,
+        [unit, size]: [f64; 2],
     ) -> Result<Self, FitError> {
-        let (values, slopes) = problem.values_and_slopes(&end.parts);
+        let End { place, minimum } = end;
+        let (values, slopes) = problem.values_and_slopes(&place.parts);
         let description = problem.description.changed(&|path, value| {
             let path = path.to_string();
             let place = problem.free.iter().position(|free| free.path == path);
@@ -97,9 +99,9 @@ impl<D: Fittable> Fitted<D> {
             .zip(&values)
             .map(|(free, value)| free.is_at_bound(*value))
             .collect();
-        let spread = (end.sum / count.saturating_sub(values.len()).max(1) as f64).sqrt();
-        let least = NOTHING * end.size.sqrt();
-        let (errors, correlation) = errors(&end.derivatives, &at_bound, least);
+        let spread = (place.sum / count.saturating_sub(values.len()).max(1) as f64).sqrt();
+        let least = NOTHING * size.sqrt();
+        let (errors, correlation) = errors(&place.derivatives, &at_bound, least);
         let errors = errors.into_iter().zip(slopes).map(|(error, slope)| Some(error? * slope));
         let parameters = problem.free.iter().zip(values).zip(errors).zip(at_bound).map(
             |(((free, value), error), at_bound)| FittedParameter {
@@ -112,8 +114,8 @@ impl<D: Fittable> Fitted<D> {
         Ok(Self {
             description,
             parameters: parameters.collect(),
-            residual: (end.sum / count as f64).sqrt() * unit,
-            minimum: end.minimum,
+            residual: (place.sum / count as f64).sqrt() * unit,
+            minimum,
             correlation,
         })
     }

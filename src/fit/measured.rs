@@ -16,6 +16,9 @@ const VALUE: Range = Range { lower: -1e100, upper: 1e100 };
 /// A weight.
 const WEIGHT: Range = Range { lower: 0.0, upper: 1e100 };
 
+/// How far a cosine may lie above 1: what a few roundings make of a dot product in `f32`.
+const ROUNDING: f64 = 1e-6;
+
 /// The cosine of an angle of incidence.
 const COSINE: Range = Range { lower: 0.0, upper: 1.0 };
 
@@ -297,7 +300,10 @@ impl Fittable for FresnelDescription {
             points,
             |point| &mut point.weight,
             |point| {
-                COSINE.check("cos", point.cos).map_err(Unfit::Number)?;
+                // What exceeds 1 by the rounding of a dot product counts as 1.
+                if !(1.0..=1.0 + ROUNDING).contains(&point.cos) {
+                    COSINE.check("cos", point.cos).map_err(Unfit::Number)?;
+                }
                 each_channel("reflectance", VALUE, point.reflectance, point.weight)
             },
         )

@@ -181,7 +181,7 @@ impl<'a, D: Fittable> Fit<'a, D> {
             metric: self.metric,
             free: &self.free,
         };
-        let end = problem.minimize(D::size(&points, self.metric))?;
-        Fitted::of(&problem, &end, count, unit)
+        let size = D::size(&points, self.metric);
+        Fitted::of(&problem, problem.minimize(size)?, count, [unit, size])
     }
 }

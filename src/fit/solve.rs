@@ -1,15 +1,15 @@
 //! The search for a minimum within bounds: from face to face of the box that they are.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, DVectorView};
 
 use super::face::Face;
-use super::free::END;
+use super::free::{END, Free};
 use super::measured::Fittable;
 use super::problem::Problem;
 use crate::description::DescriptionError;
 
 /// How often the numbers that stay at their bounds are chosen anew.
-const ROUNDS: usize = 100;
+const ROUNDS: usize = 50;
 
 /// The way, in parts of that between the bounds, below which a number counts as not moved.
 const STILL: f64 = 1e-9;
@@ -19,120 +19,117 @@ const STILL: f64 = 1e-9;
 const LEVEL: f64 = 1e-6;
 
 /// The sum of the squared residuals, in parts of that of the measured values, which is but rounding.
-const ROUNDING: f64 = 1e-28;
+const ROUNDING: f64 = 1e-24;
 
 /// How far inside of a bound a number is tried that stays there.
 const TRIALS: [f64; 9] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 
-/// The part of the sum of squares that a trial must save.
+/// The part of the sum of squares below which nothing was saved.
 const SAVING: f64 = 1e-9;
 
 /// Where a search ended.
 pub(super) struct End {
+    pub(super) place: Place,
+    /// Whether no number within its bounds makes the residuals smaller, as far as derivatives and trials
+    /// tell.
+    pub(super) minimum: bool,
+}
+
+/// A place within the bounds.
+pub(super) struct Place {
     pub(super) parts: DVector<f64>,
     /// The sum of the squared residuals.
     pub(super) sum: f64,
-    /// Whether no number within its bounds makes it smaller, as far as derivatives and trials tell.
-    pub(super) minimum: bool,
     /// The derivatives of the residuals by the parts of the way.
     pub(super) derivatives: DMatrix<f64>,
-    /// The sum of the squares of what was measured.
-    pub(super) size: f64,
+    /// The cosine of the angle between the residuals and their derivative by each number; 0 if it has
+    /// none.
+    leans: Vec<f64>,
+}
+
+impl Place {
+    /// Whether a number so close to a bound is at it, and the residuals do not become smaller inside.
+    fn stays(&self, number: usize, close: f64) -> bool {
+        let (part, lean) = (self.parts[number], self.leans[number]);
+        (part <= close && lean >= -LEVEL) || (part >= 1.0 - close && lean <= LEVEL)
+    }
+
+    /// Whether the residuals become smaller in no direction within the bounds.
+    fn is_level(&self) -> bool {
+        let mut leans = self.leans.iter().enumerate();
+        leans.all(|(number, lean)| lean.abs() <= LEVEL || self.stays(number, END))
+    }
 }
 
 impl<D: Fittable> Problem<'_, D> {
     /// Goes to a minimum near the start; `size` is the sum of the squares of what was measured.
     pub(super) fn minimize(&self, size: f64) -> Result<End, DescriptionError> {
-        let all: Vec<usize> = (0..self.free.len()).collect();
-        let starts = self.free.iter().map(|free| free.start_part());
-        let mut parts = DVector::from_iterator(all.len(), starts);
-        let mut settled = false;
+        let starts = self.free.iter().map(Free::start_part);
+        let mut place = self.place(DVector::from_iterator(self.free.len(), starts))?;
+        let rounded = ROUNDING * size;
         for _ in 0..ROUNDS {
-                eprintln!("{round} {:?}", parts.as_slice());
+            if place.sum <= rounded {
+                return Ok(End { place, minimum: true });
             }
-            let residuals = self.residuals(&parts)?;
-            let derivatives = self.derivatives(&parts, &all)?;
-            let moving: Vec<usize> = all
-                .iter()
-                .copied()
-                .filter(|place| !stays(parts[*place], lean(&derivatives, &residuals, *place)))
-                .collect();
-            let sum = residuals.norm_squared();
-            if sum <= ROUNDING * size {
-                settled = true;
-                break;
-            }
-            if !moving.is_empty() {
-                let face = Face::new(self, parts.clone(), &moving, &derivatives);
-                let next = face.minimum();
-                let moved = (&next - &parts).amax();
-                if self.residuals(&next)?.norm_squared() <= sum {
-                    parts = next;
-                    if moved > STILL {
-                        continue;
-                    }
-                }
-            }
-            match self.better(&parts) {
-                Some(better) => parts = better,
-                None => {
-                    settled = true;
-                    break;
-                }
+            let Some(parts) = self.next(&place)? else {
+                let minimum = place.is_level();
+                return Ok(End { place, minimum });
+            };
+            place = self.place(parts)?;
+        }
+        let minimum = place.sum <= rounded;
+        Ok(End { place, minimum })
+    }
+
+    fn place(&self, parts: DVector<f64>) -> Result<Place, DescriptionError> {
+        let residuals = self.residuals(&parts)?;
+        let all: Vec<usize> = (0..parts.len()).collect();
+        let derivatives = self.derivatives(&parts, &all)?;
+        let lean = |column: DVectorView<'_, f64>| {
+            let lengths = column.norm() * residuals.norm();
+            if lengths > 0.0 { column.dot(&residuals) / lengths } else { 0.0 }
+        };
+        let leans = derivatives.column_iter().map(lean).collect();
+        Ok(Place { parts, sum: residuals.norm_squared(), derivatives, leans })
+    }
+
+    /// A better place: the minimum, or the next bound, of the numbers that need not stay at theirs; if
+    /// that is here, what a trial finds.
+    fn next(&self, place: &Place) -> Result<Option<DVector<f64>>, DescriptionError> {
+        let numbers = 0..place.parts.len();
+        let moving: Vec<usize> = numbers.filter(|number| !place.stays(*number, 0.0)).collect();
+        if !moving.is_empty() {
+            let face = Face::new(self, place.parts.clone(), &moving, &place.derivatives);
+            let next = face.minimum();
+            let sum = self.residuals(&next)?.norm_squared();
+            let moved = (&next - &place.parts).amax();
+            if sum < place.sum * (1.0 - SAVING) || (sum <= place.sum && moved > STILL) {
+                return Ok(Some(next));
             }
         }
-        let residuals = self.residuals(&parts)?;
-        let derivatives = self.derivatives(&parts, &all)?;
-        let sum = residuals.norm_squared();
-        let level = |place: &usize| {
-            let (part, lean) = (parts[*place], lean(&derivatives, &residuals, *place));
-            lean.abs() <= LEVEL
-                || stays(
-                    if part < END {
-                        0.0
-                    } else if part > 1.0 - END {
-                        1.0
-                    } else {
-                        part
-                    },
-                    lean,
-                )
-        };
-        let minimum = settled && (sum <= ROUNDING * size || all.iter().all(level));
-        Ok(End { parts, sum, minimum, derivatives, size })
+        Ok(self.trial(place))
     }
 
     /// The best of what is reached by moving one number away from its bound, if that makes the residuals
-    /// smaller: there its derivative may be zero in spite of that, as that of σ of Oren and Nayar is, or
-    /// infinite, as that of a cube root.
-    fn better(&self, parts: &DVector<f64>) -> Option<DVector<f64>> {
-        let sum = |parts: &DVector<f64>| Some(self.residuals(parts).ok()?.norm_squared());
-        let now = sum(parts)?;
-        let (mut best, mut least) = (None, now * (1.0 - SAVING));
-        for (place, part) in parts.iter().enumerate() {
+    /// smaller: its derivative there may be zero in spite of that, as that of σ of Oren and Nayar is, or
+    /// have no value, as that of a cube root.
+    fn trial(&self, place: &Place) -> Option<DVector<f64>> {
+        let (mut best, mut least) = (None, place.sum * (1.0 - SAVING));
+        for (number, part) in place.parts.iter().enumerate() {
             if *part > 0.0 && *part < 1.0 {
                 continue;
             }
             for way in TRIALS {
-                let mut trial = parts.clone();
-                trial[place] = if *part > 0.0 { 1.0 - way } else { way };
-                if let Some(sum) = sum(&trial).filter(|sum| *sum < least) {
+                let mut trial = place.parts.clone();
+                trial[number] = if *part > 0.0 { 1.0 - way } else { way };
+                // Where nothing is built there is nothing better.
+                let Ok(residuals) = self.residuals(&trial) else { continue };
+                let sum = residuals.norm_squared();
+                if sum < least {
                     (best, least) = (Some(trial), sum);
                 }
             }
         }
         best
     }
-}
-
-/// The cosine of the angle between the residuals and their derivative by a number; 0 if it has none.
-fn lean(derivatives: &DMatrix<f64>, residuals: &DVector<f64>, place: usize) -> f64 {
-    let column = derivatives.column(place);
-    let lengths = column.norm() * residuals.norm();
-    if lengths > 0.0 { column.dot(residuals) / lengths } else { 0.0 }
-}
-
-/// Whether a number is at a bound, and the residuals would not become smaller inside.
-fn stays(part: f64, lean: f64) -> bool {
-    (part <= 0.0 && lean >= -LEVEL) || (part >= 1.0 && lean <= LEVEL)
 }
