@@ -2,37 +2,24 @@
 
 use glam::DVec3;
 
-use super::error::{FitError, Unfit};
+use super::counting::{Counting, above, cosine, counting, size, value};
+use super::error::FitError;
 use crate::brdf::Brdf;
 use crate::description::{BrdfDescription, DescriptionError, FresnelDescription, Number, Path};
-use crate::direction::check_direction;
-use crate::error::Range;
 use crate::fresnel::Fresnel;
 use crate::real::{Real, Vector};
 
-/// A measured value; further off it is a mistake and no light.
-const VALUE: Range = Range { lower: -1e100, upper: 1e100 };
-
-/// A weight.
-const WEIGHT: Range = Range { lower: 0.0, upper: 1e100 };
-
-/// How far a cosine may lie above 1: what a few roundings make of a dot product in `f32`.
-const ROUNDING: f64 = 1e-6;
-
-/// The cosine of an angle of incidence.
-const COSINE: Range = Range { lower: 0.0, upper: 1.0 };
-
-/// A measured value of f_r.
+/// A measured value of f_r, between two directions above the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// Towards the light.
     pub wi: DVec3,
     /// Towards the viewer.
     pub wo: DVec3,
-    /// f_r in sr⁻¹; where a colour is out of gamut, channels may be negative.
+    /// f_r in sr⁻¹, −10¹⁰⁰ … 10¹⁰⁰; where a colour is out of gamut, channels may be negative.
     pub value: DVec3,
-    /// How much each channel counts: what its residual is multiplied with, one over its standard
-    /// deviation if that is known; 0 leaves it out.
+    /// How much each channel counts, 0 … 10¹⁰⁰: what its residual is multiplied with, one over its
+    /// standard deviation if that is known; 0 leaves it out.
     pub weight: DVec3,
 }
 
@@ -47,7 +34,7 @@ impl Measured {
 /// A measured reflectance of a Fresnel term.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredReflectance {
-    /// The cosine of the angle of incidence.
+    /// The cosine of the angle of incidence, 0 … 1.
     pub cos: f64,
     /// The reflected part of unpolarised light.
     pub reflectance: DVec3,
@@ -123,75 +110,6 @@ pub trait Fittable: Clone {
     fn size(points: &[Self::Point], metric: Metric) -> f64;
 }
 
-/// What counts of the measurements.
-#[doc(hidden)]
-#[derive(Clone, Debug)]
-pub struct Counting<P> {
-    /// Those that have a weight, in parts of the largest one.
-    pub(super) points: Vec<P>,
-    /// How many channels have one.
-    pub(super) count: usize,
-    /// The largest weight.
-    pub(super) unit: f64,
-}
-
-/// The measurements with a weight, each checked.
-fn counting<P: Copy>(
-    points: &[P],
-    weight: impl Fn(&mut P) -> &mut DVec3,
-    check: impl Fn(&P) -> Result<(), Unfit>,
-) -> Result<Counting<P>, FitError> {
-    let (mut count, mut unit, mut kept) = (0, 0.0_f64, Vec::with_capacity(points.len()));
-    for (index, point) in points.iter().enumerate() {
-        let mut point = *point;
-        let unfit = |problem| FitError::Measured { index, problem };
-        let weight = *weight(&mut point);
-        each_channel("weight", WEIGHT, weight, DVec3::ONE).map_err(unfit)?;
-        if weight == DVec3::ZERO {
-            continue;
-        }
-        check(&point).map_err(unfit)?;
-        count += weight.to_array().iter().filter(|weight| **weight > 0.0).count();
-        unit = unit.max(weight.max_element());
-        kept.push(point);
-    }
-    for point in &mut kept {
-        *weight(point) /= unit;
-    }
-    Ok(Counting { points: kept, count, unit })
-}
-
-/// Checks the channels that count.
-fn each_channel(
-    parameter: &'static str,
-    range: Range,
-    value: DVec3,
-    weight: DVec3,
-) -> Result<(), Unfit> {
-    for (channel, (value, weight)) in
-        value.to_array().into_iter().zip(weight.to_array()).enumerate()
-    {
-        if weight > 0.0 {
-            range.check(parameter, value).map_err(|error| Unfit::Number(error.at(channel)))?;
-        }
-    }
-    Ok(())
-}
-
-fn above(direction: &'static str, w: DVec3) -> Result<(), Unfit> {
-    check_direction(w).map_err(|error| Unfit::NoDirection { direction, error })?;
-    if w.z > 0.0 { Ok(()) } else { Err(Unfit::Below { direction }) }
-}
-
-fn size(values: impl Iterator<Item = (DVec3, DVec3)>) -> f64 {
-    let squares = values.map(|(value, weight)| {
-        let both = value.to_array().into_iter().zip(weight.to_array());
-        both.map(|(value, weight)| if weight > 0.0 { (value * weight).powi(2) } else { 0.0 })
-            .sum::<f64>()
-    });
-    squares.sum()
-}
-
 /// The channels of a colour.
 fn channels<T: Real>(color: T::Vec3) -> [T; 3] {
     [color.x(), color.y(), color.z()]
@@ -255,7 +173,7 @@ impl Fittable for BrdfDescription {
             |point| {
                 above("wi", point.wi)?;
                 above("wo", point.wo)?;
-                each_channel("value", VALUE, point.value, point.weight)
+                value("value", point.value, point.weight)
             },
         )
     }
@@ -300,11 +218,8 @@ impl Fittable for FresnelDescription {
             points,
             |point| &mut point.weight,
             |point| {
-                // What exceeds 1 by the rounding of a dot product counts as 1.
-                if !(1.0..=1.0 + ROUNDING).contains(&point.cos) {
-                    COSINE.check("cos", point.cos).map_err(Unfit::Number)?;
-                }
-                each_channel("reflectance", VALUE, point.reflectance, point.weight)
+                cosine(point.cos)?;
+                value("reflectance", point.reflectance, point.weight)
             },
         )
     }

@@ -4,7 +4,6 @@
 use brdf::description::{BrdfDescription, FresnelDescription};
 use brdf::fit::{Fit, Measured, MeasuredReflectance, Metric};
 use brdf::{Brdf, Conductor, Fresnel, from_spherical};
-use glam::DVec3;
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
