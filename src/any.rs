@@ -113,6 +113,10 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
         each!(self, model => sample(model, wo, u))
     }
 
+    fn is_reciprocal(&self) -> bool {
+        each!(self, model => model.is_reciprocal())
+    }
+
     fn albedo(&self, wo: T::Vec3) -> C {
         each!(self, model => model.albedo(wo))
     }

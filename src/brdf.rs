@@ -93,6 +93,14 @@ pub trait Brdf<T: Real = f32>: Send + Sync {
         mean_weight(self, wo)
     }
 
+    /// Whether f_r(wi, wo) = f_r(wo, wi), so that light and importance see the same model and the
+    /// albedo is the fraction reflected of a beam. A model that is not reciprocal says so:
+    /// [`Opaque`](crate::Opaque) goes by it.
+    #[inline(always)]
+    fn is_reciprocal(&self) -> bool {
+        true
+    }
+
     /// [`eval`](Self::eval) for a block of pairs: what [`eval_batch`](Self::eval_batch) calls block
     /// by block.
     ///
@@ -232,6 +240,29 @@ pub(crate) fn mean_weight<T: Real, M: Brdf<T> + ?Sized>(model: &M, wo: T::Vec3) 
     mean_over_square(|u| weight(model, wo, u))
 }
 
+/// The mean weight of the samples of a lattice for a beam that arrives along `wo`, in place of a viewer
+/// there.
+pub(crate) fn mean_weight_of_beam<T: Real, M: Brdf<T> + ?Sized>(
+    model: &M,
+    wo: T::Vec3,
+) -> M::Color {
+    mean_over_square(|u| weight_of_beam(model, wo, model.sample(wo, u)))
+}
+
+/// f_r(wo, wi) cosθᵢ/pdf of a sample.
+#[inline(always)]
+pub(crate) fn weight_of_beam<T: Real, M: Brdf<T> + ?Sized>(
+    model: &M,
+    wo: T::Vec3,
+    sample: Sample<T, M::Color>,
+) -> M::Color {
+    let Sample { wi, pdf, .. } = sample;
+    let drawn = pdf.gt(T::zero());
+    let scale = wi.z() / T::select(drawn, pdf, T::one());
+    let weight = model.eval(wo, wi) * scale;
+    weight.map(|weight| weight.min(T::max_finite())).only_where(drawn)
+}
+
 /// The weight of one sample. A call, so that the loops of the default albedo do not multiply the
 /// code of the sampler.
 ///
@@ -294,6 +325,10 @@ macro_rules! forward {
             #[inline(always)]
             fn albedo(&self, wo: T::Vec3) -> M::Color {
                 (**self).albedo(wo)
+            }
+            #[inline(always)]
+            fn is_reciprocal(&self) -> bool {
+                (**self).is_reciprocal()
             }
             fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, M::Color>) {
                 (**self).eval_block(pairs, values);

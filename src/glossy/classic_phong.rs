@@ -82,6 +82,10 @@ impl<T: Real, C: Color<T>> Brdf<T> for ClassicPhong<C, T> {
     }
 
     #[inline(always)]
+    fn is_reciprocal(&self) -> bool {
+        false
+    }
+
     fn albedo(&self, wo: T::Vec3) -> C {
         let one = T::one();
         let w = unit_viewer::<T>(wo);

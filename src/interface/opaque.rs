@@ -1,4 +1,4 @@
-use crate::brdf::Brdf;
+use crate::brdf::{Brdf, mean_weight_of_beam, weight_of_beam};
 use crate::bsdf::{Bsdf, BsdfSample, Power, TransportMode};
 use crate::direction::above_surface;
 use crate::real::{Color, Lift, Real, lift};
@@ -8,9 +8,10 @@ use super::side::never;
 /// A model of reflection as one over the whole sphere: zero where either direction lies below the
 /// surface.
 ///
-/// Reciprocal or not, conserving or not, as the model is. A model that is not reciprocal answers for
-/// importance with the directions exchanged; its samples are those of [`Brdf::sample`], and their
-/// weights take that into account.
+/// Reciprocal or not, conserving or not, as the model is. A model that is not
+/// [reciprocal](Brdf::is_reciprocal) answers for importance with the directions exchanged: the samples
+/// are those of [`Brdf::sample`], their weights are f(wo, wi) |cosθᵢ|/pdf, and the power of a beam is the
+/// mean of these over the lattice of the default [albedo](Brdf::albedo).
 ///
 /// ```
 /// use brdf::{Bsdf, Lambert, Opaque, TransportMode};
@@ -69,15 +70,30 @@ impl<T: Real, M: Brdf<T>> Bsdf<T> for Opaque<M> {
     }
 
     #[inline(always)]
-    fn sample(&self, wo: T::Vec3, [x, y, _]: [T; 3], _: TransportMode) -> BsdfSample<T, M::Color> {
+    fn sample(
+        &self,
+        wo: T::Vec3,
+        [x, y, _]: [T; 3],
+        mode: TransportMode,
+    ) -> BsdfSample<T, M::Color> {
         let sample = self.model.sample(wo, [x, y]);
-        BsdfSample { wi: sample.wi, weight: sample.weight, pdf: sample.pdf, specular: never::<T>() }
+        let weight = if mode == TransportMode::Radiance || self.model.is_reciprocal() {
+            sample.weight
+        } else {
+            weight_of_beam(&self.model, wo, sample)
+        };
+        BsdfSample { wi: sample.wi, weight, pdf: sample.pdf, specular: never::<T>() }
     }
 
     /// The albedo, which is the power of a beam if the model is reciprocal.
     fn power(&self, wo: T::Vec3) -> Power<M::Color> {
         let none = M::Color::splat(T::zero());
-        let reflectance = self.model.albedo(wo).only_where(above_surface::<T, _>(wo));
+        let reflectance = if self.model.is_reciprocal() {
+            self.model.albedo(wo)
+        } else {
+            mean_weight_of_beam(&self.model, wo)
+        };
+        let reflectance = reflectance.only_where(above_surface::<T, _>(wo));
         Power { reflectance, transmittance: none }
     }
 }

@@ -90,6 +90,10 @@ impl<T: Real, M: Brdf<T>> Brdf<T> for Scaled<M, T> {
         Sample { weight: Scaled::limited(sample.weight, self.scale), ..sample }
     }
 
+    fn is_reciprocal(&self) -> bool {
+        self.model.is_reciprocal()
+    }
+
     fn albedo(&self, wo: T::Vec3) -> M::Color {
         Scaled::limited(self.model.albedo(wo), self.scale)
     }

@@ -140,6 +140,10 @@ where
         kept.sample(pdf, value)
     }
 
+    fn is_reciprocal(&self) -> bool {
+        self.first.model.is_reciprocal() && self.second.model.is_reciprocal()
+    }
+
     fn albedo(&self, wo: T::Vec3) -> C {
         self.total(self.first.model.albedo(wo), self.second.model.albedo(wo))
     }

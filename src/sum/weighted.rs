@@ -146,6 +146,10 @@ where
         kept.sample(pdf, value)
     }
 
+    fn is_reciprocal(&self) -> bool {
+        self.terms.iter().all(|term| term.model.is_reciprocal())
+    }
+
     fn albedo(&self, wo: T::Vec3) -> C {
         self.total(|model| model.albedo(wo))
     }

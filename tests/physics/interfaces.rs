@@ -7,7 +7,7 @@ use std::f64::consts::{PI, TAU};
 use brdf::description::{BsdfDescription, forms};
 use brdf::parameter::Part;
 use brdf::{
-    AnyBsdf, Bsdf, BsdfSample, Frame, Ggx, Lobe, RoughDielectric, SmithSeparable, TransportMode,
+    AnyBsdf, Brdf, Bsdf, BsdfSample, ClassicPhong, Frame, Ggx, Lobe, Opaque, RoughDielectric, SmithSeparable, TransportMode,
     TwoSided, from_spherical,
 };
 use brdf_checks::measure::sampling::chi_squared::{compare, least_of};
@@ -375,6 +375,40 @@ fn rough_glass_keeps_what_is_known() {
             let got = total(glass.with_shadowing(SmithSeparable).power(wo));
             assert!((got - separable).abs() < 7e-4, "{ior} {theta} {roughness}: {got}");
         }
+    }
+}
+
+/// What a beam loses to a model that is not reciprocal is no albedo. The powers are sums over 600 × 600
+/// directions.
+#[test]
+fn a_beam_meets_a_model_that_is_not_reciprocal_the_other_way() {
+    let phong = ClassicPhong::new(DVec3::ONE, 5.0).expect("a lobe");
+    let opaque = Opaque::new(phong);
+    for theta in [0.2, 0.5, 0.9, 1.2] {
+        let wo: DVec3 = from_spherical(theta, 0.0);
+        for u in draws(1000) {
+            let BsdfSample { wi, weight, pdf, .. } = opaque.sample(wo, u, TransportMode::Importance);
+            if pdf > 0.0 {
+                let value = opaque.eval(wi, wo, TransportMode::Importance);
+                assert!((value * wi.z / pdf - weight).length() <= 1e-14 * weight.length(), "{wo} {wi}");
+            }
+        }
+        const N: u32 = 600;
+        let mut power = 0.0;
+        for i in 0..N {
+            // z² is even, so that cosθ dω is.
+            let z = ((f64::from(i) + 0.5) / f64::from(N)).sqrt();
+            let radius = (1.0 - z * z).sqrt();
+            for j in 0..N {
+                let (sin, cos) = (TAU * (f64::from(j) + 0.5) / f64::from(N)).sin_cos();
+                let wi = DVec3::new(radius * cos, radius * sin, z);
+                power += PI / f64::from(N * N) * opaque.eval(wi, wo, TransportMode::Importance).x;
+            }
+        }
+        let got = opaque.power(wo).reflectance.x;
+        println!("{theta}: {got:.6} {power:.6} {:.6}", phong.albedo(wo).x);
+        assert!((got - power).abs() < 2e-3 * power, "{theta}: {got} is not {power}");
+        assert!((phong.albedo(wo).x - power).abs() > 0.03 * power, "{theta}");
     }
 }
 
