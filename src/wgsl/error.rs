@@ -6,16 +6,20 @@ use core::fmt;
 
 #[cfg(feature = "serde")]
 use crate::description::DescriptionError;
+use super::parameters::Binding;
 use crate::error::ParameterError;
 
 /// What keeps a function from being written.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ShaderError {
-    /// A name that is none in the language of shaders, or begins with `brdf`.
+    /// A name that is none in the language of shaders, that of one of its functions or types, or one
+    /// that begins with `brdf`.
     Name(String),
     /// A name that the module has already.
     Taken(String),
+    /// A place of a uniform buffer that the module uses already.
+    Bound(Binding),
     /// A name of which the module has no sample function.
     Unknown(String),
     /// A symbol of another function, or of another thread.
@@ -51,6 +55,9 @@ impl fmt::Display for ShaderError {
                  WGSL and not begin with `brdf`; it is {name:?}"
             ),
             Self::Taken(name) => write!(f, "name {name:?} is in the module already"),
+            Self::Bound(Binding { group, binding }) => {
+                write!(f, "@group({group}) @binding({binding}) has a buffer of the module already")
+            }
             Self::Unknown(name) => write!(f, "the module has no model of the name {name:?}"),
             Self::Foreign => f.write_str("a symbol belongs to another function"),
             Self::TooLong => f.write_str("the formula has too many operations to be written out"),

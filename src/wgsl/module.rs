@@ -44,6 +44,7 @@ use crate::quadrature::{LATTICE, ROW, STEP};
 #[derive(Clone, Debug, Default)]
 pub struct Module {
     names: BTreeSet<String>,
+    bindings: Vec<Binding>,
     functions: BTreeSet<Function>,
     samples: bool,
     text: String,
@@ -93,7 +94,8 @@ impl Module {
     /// ```
     ///
     /// # Errors
-    /// If a name is no name of its own, or a constant of the model is not in its range.
+    /// If a name is no name of its own, the module has a buffer at that place, or a constant of the model
+    /// is not in its range.
     pub fn add_with<M, E>(
         &mut self,
         name: &str,
@@ -111,6 +113,7 @@ impl Module {
             Ok::<_, ShaderError>((Traced::new(&model), uniforms))
         });
         let (results, uniforms) = traced?;
+        self.check_free(binding, &uniforms)?;
         self.claim(Names::model(name)?.with_parameters(), &graph)?;
         self.structure(name, binding, &uniforms);
         self.functions_of(name, &results, &graph);
@@ -164,6 +167,7 @@ impl Module {
         });
         let (results, uniforms) = traced?;
         let names = Names::function(name, &arguments)?;
+        self.check_free(binding, &uniforms)?;
         self.claim(names.with_parameters(), &graph)?;
         self.structure(name, binding, &uniforms);
         self.formula::<A, R, N>(name, arguments, &results, &graph);
@@ -220,6 +224,14 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
         Ok(())
     }
 
+    /// Checks that no buffer is at that place yet, if one is to come there.
+    fn check_free(&self, binding: Binding, uniforms: &Uniforms) -> Result<(), ShaderError> {
+        if !uniforms.fields().is_empty() && self.bindings.contains(&binding) {
+            return Err(ShaderError::Bound(binding));
+        }
+        Ok(())
+    }
+
     fn formula<A: Arguments<N>, R: Answer, const N: usize>(
         &mut self,
         name: &str,
@@ -246,6 +258,7 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
         if uniforms.fields().is_empty() {
             return;
         }
+        self.bindings.push(binding);
         let (kind, Binding { group, binding }) = (camel_case(name), binding);
         let text = &mut self.text;
         let _ = write!(text, "\nstruct {kind}Parameters {{\n");

@@ -2,7 +2,8 @@
 
 use super::error::ShaderError;
 
-/// Keywords of WGSL, words it reserves, and the names of types and arguments in the text.
+/// Keywords of WGSL, words it reserves, and the names of its types and functions: one of those would take
+/// the place of what the text, or the shader that it stands in, calls.
 const WORDS: &str = include_str!("words.txt");
 
 /// A name that may stand in a text.

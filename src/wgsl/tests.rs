@@ -26,8 +26,9 @@ fn body(formula: impl FnOnce(ExprVec3) -> Expr) -> String {
 
 #[test]
 fn names_are_those_of_the_language() {
-    for name in ["", "1", "_a", "a_", "a__b", "a-b", "ä", "fn", "self", "vec3", "brdf", "BrdfGold"]
-    {
+    let none = ["", "1", "_a", "a_", "a__b", "a-b", "ä", "fn", "self", "vec3", "brdf", "BrdfGold"];
+    // The text, or the shader around it, may call the function of the language.
+    for name in none.into_iter().chain(["max", "floor", "select", "dot", "vec3f", "textureLoad"]) {
         let mut module = Module::new();
         assert_eq!(module.add(name, &white()), Err(ShaderError::Name(name.into())));
         assert!(!module.to_string().contains("fn "));
@@ -64,6 +65,26 @@ fn names_are_taken_once() {
     // What is refused leaves nothing behind.
     assert_eq!(module.to_string(), text);
     assert_eq!(module.add("b", &white()), Ok(()));
+}
+
+#[test]
+fn a_buffer_has_a_place_of_its_own() {
+    let add = |module: &mut Module, name: &str, binding| {
+        let added = module.add_with(name, binding, |parameters| {
+            Lambert::new(parameters.color("albedo", DVec3::splat(0.5)))
+        });
+        added.map(drop)
+    };
+    let (first, second) = (Binding::default(), Binding { group: 0, binding: 1 });
+    let mut module = Module::new();
+    assert_eq!(add(&mut module, "a", first), Ok(()));
+    let text = module.to_string();
+    assert_eq!(add(&mut module, "b", first), Err(ShaderError::Bound(first)));
+    assert_eq!(module.to_string(), text);
+    assert_eq!(add(&mut module, "b", second), Ok(()));
+    // Without parameters there is no buffer.
+    let fixed = module.add_with("c", first, |_| Ok::<_, ParameterError>(white()));
+    assert_eq!(fixed.map(drop), Ok(()));
 }
 
 #[test]
