@@ -211,6 +211,12 @@ ranges! {
     SHARPNESS_1967 = 1e-5, 1e5, "10⁻⁵ … 10⁵";
     /// Thickness of a layer, nm.
     THICKNESS = 0.0, 1e9, "0 … 10⁹";
+    /// Root-mean-square height of a surface, nm.
+    HEIGHT = 0.0, 1e9, "0 … 10⁹";
+    /// Correlation length of the heights of a surface, nm.
+    CORRELATION = 1e-3, 1e9, "10⁻³ … 10⁹";
+    /// Uniform diffuse part of a value, sr⁻¹.
+    UNIFORM = 0.0, 1e10, "0 … 10¹⁰";
     /// Wavelength in vacuum, nm.
     WAVELENGTH = 1.0, 1e9, "1 … 10⁹";
 }

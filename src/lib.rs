@@ -43,6 +43,7 @@ pub mod quadrature;
 mod real;
 mod sampling;
 mod sum;
+pub mod wave;
 #[cfg(feature = "wgsl")]
 pub mod wgsl;
 
@@ -83,3 +84,4 @@ pub use planetary::{LommelSeeliger, Minnaert};
 pub use polarized_brdf::PolarizedBrdf;
 pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::{SumOfTwo, WeightedSum};
+pub use wave::{BeckmannKirchhoff, He1991};

@@ -8,8 +8,8 @@ use brdf::description::{
 use brdf::polarization::{Amplitudes, Complex, Polarized, Stokes};
 use brdf::wgsl::{Module, ShaderError};
 use brdf::{
-    AnyFresnel, Brdf, Bsdf, BsdfSample, Distribution, Dual, Fresnel, Lobe, Real, TransportMode,
-    Vector,
+    AnyBsdf, AnyFresnel, Brdf, Bsdf, BsdfSample, Distribution, Dual, Fresnel, Lobe, Real,
+    TransportMode, Vector,
 };
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Deserializer, Serialize};
@@ -238,7 +238,7 @@ enum Question {
     BsdfSample { bsdf: BsdfDescription, wo: [f64; 3], u: [f64; 3], mode: TransportMode },
     Power { bsdf: BsdfDescription, wo: [f64; 3] },
     Specular { bsdf: BsdfDescription, wo: [f64; 3], mode: TransportMode },
-    Mueller { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
+    Mueller { brdf: BsdfDescription, wi: [f64; 3], wo: [f64; 3] },
     Gradient { brdf: BrdfDescription, wi: [f64; 3], wo: [f64; 3] },
     Text { brdf: BrdfDescription, name: String },
     Reflectance { fresnel: FresnelDescription, cos: f64 },
@@ -361,6 +361,15 @@ impl Question {
             Self::SampleWithLobes { brdf, wo, u } => {
                 let model = brdf.build::<T>().map_err(|error| format!("brdf: {error}"))?;
                 let [x, y] = u.map(|u| T::lit(u).min(T::BELOW_ONE));
+                match &model {
+                    AnyBsdf::BeckmannKirchhoff(model) => {
+                        return Ok(drawn::<T>(model.sample_by_two(vector::<T>(wo), [x, y])));
+                    }
+                    AnyBsdf::He1991(model) => {
+                        return Ok(drawn::<T>(model.sample_by_two(vector::<T>(wo), [x, y])));
+                    }
+                    _ => {}
+                }
                 let lobes = model.specular(vector::<T>(wo), TransportMode::Radiance);
                 // The first number chooses and is used again.
                 let first = lobes.reflected.weight.x();
@@ -504,7 +513,11 @@ fn sample<T: Number>(
     u: [T; 3],
     mode: TransportMode,
 ) -> Answer<T> {
-    let BsdfSample { wi, weight, pdf, specular } = model.sample(vector::<T>(wo), u, mode);
+    drawn(model.sample(vector::<T>(wo), u, mode))
+}
+
+fn drawn<T: Number>(sample: BsdfSample<T, T::Vec3>) -> Answer<T> {
+    let BsdfSample { wi, weight, pdf, specular } = sample;
     Answer::Sample {
         wi: components(wi),
         weight: components(weight),
@@ -598,7 +611,9 @@ fn is_unit<T: Number>(w: &[f64; 3]) -> bool {
 /// over the whole sphere.
 fn has_lobes(model: &RawValue) -> bool {
     let name = model.get().trim_start_matches(['{', ' ', '\t', '\r']);
-    ["\"mirror\"", "\"plastic\""].into_iter().any(|lobes| name.starts_with(lobes))
+    ["\"mirror\"", "\"plastic\"", "\"beckmann_kirchhoff_1963\"", "\"he_1991\""]
+        .into_iter()
+        .any(|lobes| name.starts_with(lobes))
 }
 
 /// The mode of transport of a question, if nothing else follows.

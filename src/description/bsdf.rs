@@ -10,6 +10,7 @@ use crate::interface::{
     AnyBsdf, AnySmith, Mirror, Plastic, RoughDielectric, SmoothDielectric, ThinDielectric,
 };
 use crate::real::Real;
+use crate::wave::{BeckmannKirchhoff, He1991, Masking};
 
 pub(super) fn bsdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBsdf<T>, DescriptionError> {
     Ok(match at.described.form.name() {
@@ -17,6 +18,24 @@ pub(super) fn bsdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBsdf<T>, Description
         "plastic" => {
             let new = if at.flag("nonlinear") { Plastic::new } else { Plastic::linear };
             at.made(new(at.color("diffuse")?, at.number("ior")?))?.into()
+        }
+        "beckmann_kirchhoff_1963" => {
+            let (sigma, correlation) = (at.number("sigma")?, at.number("correlation")?);
+            let fresnel = at.part("fresnel", fresnel)?;
+            let wavelength = at.color("wavelength")?;
+            at.made(BeckmannKirchhoff::new(sigma, correlation, fresnel, wavelength))?.into()
+        }
+        "he_1991" => {
+            let (sigma, correlation) = (at.number("sigma")?, at.number("correlation")?);
+            let fresnel = at.part("fresnel", fresnel)?;
+            let uniform = at.color("uniform_diffuse")?;
+            let masking = match at.described.word("masking") {
+                "printed" => Masking::Printed,
+                _ => Masking::Corrected,
+            };
+            let model =
+                at.made(He1991::new(sigma, correlation, fresnel, at.color("wavelength")?))?;
+            at.made(model.with_uniform_diffuse(uniform))?.with_masking(masking).into()
         }
         "dielectric" => at.made(SmoothDielectric::new(at.number("ior")?))?.into(),
         "thin_dielectric" => at.made(ThinDielectric::new(at.number("ior")?))?.into(),

@@ -12,6 +12,7 @@ use crate::glossy::{BlinnPhong, Phong, SchlickPower};
 use crate::interface::{Plastic, ROUGH_IOR, SmoothDielectric, ThinDielectric};
 use crate::parameter::{Kind, Parameter, Part, Preset, model};
 use crate::planetary::{LommelSeeliger, Minnaert};
+use crate::wave::{BeckmannKirchhoff, He1991};
 
 /// A form of description: its name and what stands behind it.
 ///
@@ -182,16 +183,18 @@ static BRDF_FORMS: [Form; 12] = [
 ];
 
 /// Models over the whole sphere that are none of reflection alone, and those with specular lobes.
-static SPHERE_FORMS: [Form; 5] = [
+static SPHERE_FORMS: [Form; 7] = [
     form!(Bsdf "mirror": Keys &[REFLECTANCE.or(Preset::White)]),
     form!(Bsdf "plastic": Keys <Plastic>::PARAMETERS),
+    form!(Bsdf "beckmann_kirchhoff_1963": Keys <BeckmannKirchhoff<()>>::PARAMETERS),
+    form!(Bsdf "he_1991": Keys <He1991<()>>::PARAMETERS),
     form!(Bsdf "dielectric": Keys <SmoothDielectric>::PARAMETERS),
     form!(Bsdf "thin_dielectric": Keys <ThinDielectric>::PARAMETERS),
     form!(Bsdf "rough_dielectric": Keys &[FACETS, ROUGH_IOR, REFRACTED_SHADOWING]),
 ];
 
 /// These, and every model of reflection.
-static BSDF_FORMS: [Form; 17] = joined(&SPHERE_FORMS, &BRDF_FORMS);
+static BSDF_FORMS: [Form; 19] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 9] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),

@@ -30,6 +30,8 @@
 //! | every Brdf | zero below the surface |
 //! | `{"mirror": {"fresnel": F}}` | one specular lobe; `{"constant": 1}` is the default |
 //! | `{"plastic": {"diffuse": C, "ior": 1.5, "nonlinear": true}}` | Lambert's surface under a smooth dielectric, n ≥ 1 |
+//! | `{"beckmann_kirchhoff_1963": {"sigma": s, "correlation": t, "fresnel": F, "wavelength": [650, 550, 450]}}` | lengths in nanometres; F is `{"constant": 1}` by default |
+//! | `{"he_1991": {"sigma": s, "correlation": t, "fresnel": F, "uniform_diffuse": 0, "masking": "corrected", "wavelength": [650, 550, 450]}}` | lengths in nanometres, the uniform part in sr⁻¹; the masking is also `"printed"` |
 //! | `{"dielectric": {"ior": n}}` | a smooth interface; n is the index below over that above |
 //! | `{"thin_dielectric": {"ior": n}}` | a plane plate with all its internal reflections |
 //! | `{"rough_dielectric": {"distribution": D, "ior": n, "shadowing": S}}` | D is `beckmann` or `ggx`, S `"smith"` (the default) or `"smith_separable"` |

@@ -7,9 +7,12 @@ use super::smooth::SmoothDielectric;
 use super::thin::ThinDielectric;
 use crate::any::AnyBrdf;
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
+use crate::direction::Pair;
 use crate::distribution::{Beckmann, Ggx};
 use crate::fresnel::AnyFresnel;
+use crate::polarization::Mueller;
 use crate::real::{Color, Real, members};
+use crate::wave::{BeckmannKirchhoff, He1991};
 
 members! {
     ($) each
@@ -38,6 +41,10 @@ members! {
         Mirror(Mirror<AnyFresnel<T, C>>),
         /// Lambert's surface under a smooth dielectric.
         Plastic(Plastic<C, T>),
+        /// A rough surface in Kirchhoff's theory of diffraction.
+        BeckmannKirchhoff(BeckmannKirchhoff<AnyFresnel<T, C>, C, T>),
+        /// A rough surface of He, Torrance, Sillion and Greenberg.
+        He1991(He1991<AnyFresnel<T, C>, C, T>),
         /// A smooth interface.
         SmoothDielectric(SmoothDielectric<C, T>),
         /// A thin plate.
@@ -52,6 +59,23 @@ members! {
 impl<T: Real, C: Color<T>> From<AnyBrdf<T, C>> for AnyBsdf<T, C> {
     fn from(model: AnyBrdf<T, C>) -> Self {
         Self::Opaque(Opaque::new(model))
+    }
+}
+
+impl<T: Real, C: Color<T>> AnyBsdf<T, C> {
+    /// The Mueller matrix of a model of reflection that knows how it polarises light, without its specular
+    /// lobe: as [`AnyBrdf::mueller`], and [`He1991::mueller`] where the Fresnel term knows its
+    /// [amplitudes](AnyFresnel::amplitudes). `None` of the others.
+    #[must_use]
+    pub fn mueller(&self, wi: T::Vec3, wo: T::Vec3) -> Option<Mueller<C>> {
+        match self {
+            Self::Opaque(opaque) => opaque.model().mueller(wi, wo),
+            Self::He1991(model) => {
+                let cos = Pair::<T>::new(wi, wo).cos_d;
+                Some(model.mueller_of(wi, wo, model.fresnel().amplitudes(cos)?))
+            }
+            _ => None,
+        }
     }
 }
 

@@ -33,6 +33,10 @@ struct Line {
     /// Whether a beam keeps all its power, from whatever side the model answers for.
     #[serde(default)]
     lossless: bool,
+    /// The largest power of the viewers below over that of the beam, to three digits, where a model is known
+    /// to exceed it.
+    #[serde(default = "one")]
+    gain: f64,
 }
 
 fn one() -> f64 {
@@ -51,12 +55,26 @@ impl Line {
     /// Whether the model scatters into all directions of both sides.
     fn is_rough(&self) -> bool {
         let rough = matches!(self.model(), AnyBsdf::RoughBeckmann(_) | AnyBsdf::RoughGgx(_));
-        rough && self.ior != 1.0 && !self.lossless
+        rough && self.ior != 1.0 && !self.lossless || self.is_wave()
+    }
+
+    /// Whether the model is one of wave optics that scatters around its lobe.
+    fn is_wave(&self) -> bool {
+        let wave = matches!(self.model(), AnyBsdf::BeckmannKirchhoff(_) | AnyBsdf::He1991(_));
+        let pair = from_spherical(0.3, 0.0);
+        wave && self.model().eval(pair, pair, TransportMode::Radiance) != DVec3::ZERO
     }
 
     /// Whether the model answers for viewers below the surface.
     fn is_open(&self) -> bool {
-        !matches!(self.model(), AnyBsdf::Opaque(_) | AnyBsdf::Mirror(_) | AnyBsdf::Plastic(_))
+        !matches!(
+            self.model(),
+            AnyBsdf::Opaque(_)
+                | AnyBsdf::Mirror(_)
+                | AnyBsdf::Plastic(_)
+                | AnyBsdf::BeckmannKirchhoff(_)
+                | AnyBsdf::He1991(_)
+        )
     }
 }
 
@@ -112,6 +130,8 @@ fn draws_follow_the_density() {
         .into_iter()
         .filter(Line::is_rough)
         .flat_map(|line| viewers().into_iter().map(move |wo| (line.clone(), wo)))
+        // Sums of many orders take their time.
+        .filter(|(line, wo)| !line.is_wave() || (0.1..0.745).contains(&wo.z))
         .collect();
     assert!(cases.len() > 80, "{}", cases.len());
     let least = least_of(cases.len());
@@ -120,13 +140,17 @@ fn draws_follow_the_density() {
         .filter_map(|(line, wo)| {
             let (model, chart) = (line.model(), Chart::new(wo));
             let mut drawn = vec![0; Chart::CELLS + 1];
-            for u in draws(COUNT) {
+            let open = line.is_open();
+            let count = if line.is_wave() { COUNT / 4 } else { COUNT };
+            for u in draws(count) {
                 let BsdfSample { wi, pdf, .. } = model.sample(wo, u, TransportMode::Radiance);
                 drawn[if pdf > 0.0 { chart.cell(wi) } else { Chart::CELLS }] += 1;
             }
             let (mut mass, mut seen) = (vec![0.0; Chart::CELLS], vec![false; Chart::CELLS + 1]);
             chart.visit(|cell, wi, angle| {
-                mass[cell] += angle * model.pdf(wi, wo, TransportMode::Radiance);
+                if wi.z > 0.0 || open {
+                    mass[cell] += angle * model.pdf(wi, wo, TransportMode::Radiance);
+                }
                 seen[cell] = true;
             });
             let rest = 1.0 - mass.iter().sum::<f64>();
@@ -136,7 +160,7 @@ fn draws_follow_the_density() {
             let error = |all: f64, seen: bool| if seen { 1e-4 * all } else { 0.1 };
             let expected: Vec<(f64, f64)> = mass
                 .iter()
-                .map(|mass| f64::from(COUNT) * mass)
+                .map(|mass| f64::from(count) * mass)
                 .zip(seen)
                 .map(|(all, seen)| (all, error(all, seen)))
                 .collect();
@@ -296,17 +320,20 @@ fn specular_lobes_are_adjoint() {
 #[test]
 fn powers_are_means_of_weights_and_no_more_than_all() {
     for line in lines() {
-        let model = line.model();
+        let (model, mut most) = (line.model(), 0.0_f64);
         for wo in viewers() {
             let power = model.power(wo);
-            let (mut sums, mut count) = ([0.0; 2], 0.0);
-            for u in draws(40_000) {
+            let (mut sums, mut squares, mut count) = ([0.0; 2], 0.0, 0.0);
+            for u in draws(if line.is_wave() { 5_000 } else { 40_000 }) {
                 let sample = model.sample(wo, u, TransportMode::Importance);
                 sums[usize::from(sample.wi.z * wo.z < 0.0)] += sample.weight.x;
+                squares += sample.weight.x * sample.weight.x;
                 count += 1.0;
             }
             let [returned, passed] = sums.map(|sum| sum / count);
-            let near = |got: f64, want: f64| (got - want).abs() < 1e-2;
+            // Four standard errors where a few grazing draws weigh much.
+            let bound = (4.0 * squares.sqrt() / count).max(1e-2);
+            let near = |got: f64, want: f64| (got - want).abs() < bound;
             let same = near(power.reflectance.x, returned) && near(power.transmittance.x, passed);
             assert!(same, "{} {wo}: {power:?} {returned} {passed}", line.name);
             let total = power.reflectance.x + power.transmittance.x;
@@ -314,8 +341,11 @@ fn powers_are_means_of_weights_and_no_more_than_all() {
             if line.lossless && answers {
                 assert!((total - 1.0).abs() <= 1e-13, "{} {wo}: {total}", line.name);
             }
-            assert!(total <= 1.0 + 1e-13, "{} {wo}: {total}", line.name);
+            assert!(total <= line.gain + 1e-13, "{} {wo}: {total}", line.name);
+            most = most.max(total);
         }
+        println!("{}: {most:.4}", line.name);
+        assert!(line.gain == 1.0 || most > line.gain - 5e-3, "{}: {most}", line.name);
     }
 }
 

@@ -14,3 +14,4 @@ mod registry;
 mod robustness;
 mod sampling;
 mod values;
+mod wave;

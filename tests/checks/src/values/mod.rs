@@ -13,6 +13,7 @@ mod microfacet;
 mod planetary;
 mod polarization;
 mod reference;
+mod wave;
 
 use std::error::Error;
 
@@ -52,6 +53,7 @@ fn all<T: Number>() -> Vec<Check> {
         &planetary::all::<T>(),
         &polarization::all::<T>(),
         &interfaces::all::<T>(),
+        &wave::all::<T>(),
         &limits::all::<T>(),
     ]
     .concat()

@@ -73,6 +73,11 @@ impl Case<'_> {
         output.get(key).unwrap_or_else(|| panic!("{}: no output {key}", self.name()))
     }
 
+    /// Whether there is an output.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.value["out"].get(key).is_some()
+    }
+
     /// The direction with the angles `theta_<which>` and `phi_<which>`; azimuth 0 where not given.
     pub(super) fn direction(&self, which: &str) -> DVec3 {
         let phi = self.value["in"][format!("phi_{which}")].as_f64().unwrap_or(0.0);
