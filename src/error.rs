@@ -33,20 +33,27 @@ impl ParameterError {
         range: Range,
         list: &[f64],
     ) -> Result<(), Self> {
-        let at = |position| move |error: Self| error.at(position);
-        for (position, value) in list.iter().enumerate() {
-            range.check(parameter, *value).map_err(at(position))?;
-        }
+        Self::check_each(parameter, range, list)?;
         for (before, pair) in list.windows(2).enumerate() {
             if let [previous, value] = *pair {
                 let above = previous.next_up();
                 Range { lower: above, upper: range.upper.max(above) }
                     .check(parameter, value)
-                    .map_err(at(before + 1))
-                    .map_err(|error| Self { previous: Some(previous), ..error })?;
+                    .map_err(|error| Self { previous: Some(previous), ..error.at(before + 1) })?;
             }
         }
         Ok(())
+    }
+
+    /// Checks a list whose numbers lie in a range.
+    pub(crate) fn check_each(
+        parameter: &'static str,
+        range: Range,
+        list: &[f64],
+    ) -> Result<(), Self> {
+        list.iter().enumerate().try_for_each(|(position, value)| {
+            range.check(parameter, *value).map_err(|error: Self| error.at(position))
+        })
     }
 
     /// The same error of a value that stands at a place of a list.

@@ -32,7 +32,6 @@ mod gradient;
 #[cfg(doc)]
 pub mod guide;
 pub mod interface;
-#[cfg(feature = "materials")]
 pub mod materials;
 pub mod microfacet;
 pub mod parameter;

@@ -1,5 +1,6 @@
 //! Surfaces and optical elements as data, at one wavelength.
 
+use brdf::materials::{OpticalConstants, Sample};
 use brdf::polarization::{
     Amplitudes, Complex, Incoherent, Interface, Jones, Layer, Layers, Mueller, Plates,
 };
@@ -58,13 +59,15 @@ pub struct Pile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(
     untagged,
-    expecting = "an index is n, [n, k], {\"eta\": n, \"k\": k} or {\"material\": \"Au\"}"
+    expecting = "an index is n, [n, k], {\"eta\": n, \"k\": k}, {\"material\": \"Au\"} or \
+                 {\"samples\": [[nm, n, k], …]}"
 )]
 enum Index {
     Real(f64),
     Complex([f64; 2]),
     Channels(EtaK),
     Measured(Measured),
+    Own(Own),
 }
 
 #[derive(Clone, Debug, Deserialize)]
@@ -78,6 +81,13 @@ struct EtaK {
 #[serde(deny_unknown_fields)]
 struct Measured {
     material: String,
+}
+
+/// Samples, each a wavelength, n and k.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Own {
+    samples: Vec<[f64; 3]>,
 }
 
 /// A number for all channels, or one for each.
@@ -119,6 +129,13 @@ impl Index {
                 let wrong = |error: &dyn std::error::Error| format!("{path}.material: {error}");
                 let found = materials::find(material).map_err(|error| wrong(&error))?;
                 let index = found.refractive_index(wavelength).map_err(|error| wrong(&error))?;
+                [index.eta, index.k]
+            }
+            Self::Own(Own { samples }) => {
+                let samples = samples.iter().map(|[at, n, k]| Sample::new(*at, *n, *k));
+                let index = OpticalConstants::new(samples)
+                    .and_then(|constants| constants.refractive_index(wavelength))
+                    .map_err(|error| format!("{path}.samples: {error}"))?;
                 [index.eta, index.k]
             }
         };

@@ -5,6 +5,8 @@
 //! rays, within seconds, to see that everything runs.
 
 mod environment;
+#[path = "../polarization/films.rs"]
+mod films;
 mod index;
 mod lettering;
 mod metal;
@@ -12,9 +14,11 @@ mod picture;
 #[path = "../path_tracer/plastic.rs"]
 mod plastic;
 mod plots;
+mod prism;
 mod scenes;
 #[path = "../path_tracer/screen.rs"]
 mod screen;
+mod solid;
 #[allow(dead_code, reason = "light and pigments that only the path tracer needs")]
 #[path = "../path_tracer/spectral.rs"]
 mod spectral;
@@ -98,6 +102,14 @@ fn main() -> Result<(), Box<dyn Error>> {
             .map_err(|error| format!("{}: {error}", path.display()))?;
         pictures.push(scene.picture);
         bar.inc(1);
+    }
+    let prism = prism::draw(&out, if small { 40 } else { 400 })?;
+    pictures.push(prism);
+    for map in &films::MAPS {
+        map.draw(&out, if small { 0.1 } else { 1.0 })?;
+        let (file, title) = (format!("{}.png", map.name), map.title.to_owned());
+        let caption = map.caption.to_owned();
+        pictures.push(picture::Picture { file, title, caption, section: "Glass and films" });
     }
     // How many plots there are, they alone know.
     let plots = plots::all(&out, &|name| {

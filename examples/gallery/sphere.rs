@@ -10,6 +10,7 @@ use rand_pcg::Pcg32;
 use rayon::prelude::*;
 
 use crate::environment::Environment;
+use crate::solid::Solid;
 use crate::{lettering, screen};
 
 /// A model of any kind.
@@ -19,6 +20,8 @@ pub type Material = Box<dyn Brdf<Color = Vec3>>;
 pub enum Tile {
     /// A sphere.
     Sphere(Material),
+    /// A sphere that light passes through.
+    Solid(Box<dyn Solid>),
     /// The picture of a square minus that of another, both given by their places, so many times, on
     /// a middle grey.
     Difference {
@@ -110,7 +113,12 @@ pub fn render(
     for (place, (label, tile)) in tiles.iter().enumerate() {
         let left = place as u32 * quality.tile;
         let square = match tile {
-            Tile::Sphere(material) => sphere(material, light, quality),
+            Tile::Sphere(material) => {
+                sphere(&|ray, u| radiance(material, light, ray, u), light, quality)
+            }
+            Tile::Solid(solid) => {
+                sphere(&|ray, u| through(&**solid, light, ray, u), light, quality)
+            }
             Tile::Difference { of, minus, times } => {
                 let difference = |(of, minus): (&Vec3, &Vec3)| 0.5 + (*of - *minus) * *times;
                 shown[*of].iter().zip(&shown[*minus]).map(difference).collect()
@@ -132,11 +140,11 @@ pub fn render(
 
 /// One square as a screen's values, 0 … 1. The pixels of all squares draw the same numbers, so that
 /// differences are of the models and not of the noise.
-fn sphere(material: &Material, light: Light, quality: Quality) -> Vec<Vec3> {
+fn sphere(shade: Shade<'_>, light: Light, quality: Quality) -> Vec<Vec3> {
     let pixel = |index: u32| {
         let corner = Vec2::new((index % quality.tile) as f32, (index / quality.tile) as f32);
         let mut random = Pcg32::seed_from_u64(index.into());
-        pixel_value(material, light, corner, quality, random.random())
+        pixel_value(shade, light, corner, quality, random.random())
     };
     (0..quality.tile * quality.tile).into_par_iter().map(pixel).collect()
 }
@@ -144,7 +152,7 @@ fn sphere(material: &Material, light: Light, quality: Quality) -> Vec<Vec3> {
 /// A pixel as a screen's value. Sphere and background are averaged apart and joined after the tone
 /// curve, so that bright edges are smooth.
 fn pixel_value(
-    material: &Material,
+    shade: Shade<'_>,
     light: Light,
     corner: Vec2,
     quality: Quality,
@@ -162,7 +170,7 @@ fn pixel_value(
         let position = (corner + Vec2::new(ax, ay)) * (2.0 / tile) - 1.0;
         let position = Vec2::new(position.x, -position.y) / RADIUS;
         if position.length_squared() < 1.0 {
-            sum += radiance(material, light, position, u);
+            sum += shade(&Ray::new(position), u);
             hits += 1.0;
         }
     }
@@ -194,16 +202,45 @@ fn point(index: u32, offset: Vec2) -> [f32; 2] {
     [turn(offset.x, 1.0 / ROOT), turn(offset.y, 1.0 / (ROOT * ROOT))]
 }
 
-/// Radiance towards the camera from the point of the unit sphere at a place in the picture.
-fn radiance(material: &Material, light: Light, position: Vec2, u: [f32; 4]) -> Vec3 {
+/// Radiance towards the camera along a ray, from four uniform numbers.
+type Shade<'a> = &'a (dyn Fn(&Ray, [f32; 4]) -> Vec3 + Sync);
+
+/// A ray that meets the unit sphere.
+struct Ray {
+    /// The point, which is the normal too.
+    normal: Vec3,
+    toward_viewer: Vec3,
+}
+
+/// From the camera's frame.
+fn to_world(v: Vec3) -> Vec3 {
     let (sin, cos) = ELEVATION.sin_cos();
-    let to_world = |v: Vec3| Vec3::new(v.x, v.y * cos + v.z * sin, v.z * cos - v.y * sin);
-    let toward_viewer = to_world(Vec3::Z);
-    let depth = (1.0 - position.length_squared()).max(0.0).sqrt();
-    let normal = to_world(position.extend(depth));
+    Vec3::new(v.x, v.y * cos + v.z * sin, v.z * cos - v.y * sin)
+}
+
+impl Ray {
+    /// At a place in the picture.
+    fn new(position: Vec2) -> Self {
+        let depth = (1.0 - position.length_squared()).max(0.0).sqrt();
+        Self { normal: to_world(position.extend(depth)), toward_viewer: to_world(Vec3::Z) }
+    }
+}
+
+/// Of a sphere that light passes through; it knows no other light than that from all around.
+fn through(solid: &dyn Solid, light: Light, ray: &Ray, u: [f32; 4]) -> Vec3 {
+    let Light::Around(environment) = light else {
+        return Vec3::ZERO;
+    };
+    let [a, b, ..] = u.map(f32::to_bits);
+    let mut random = Pcg32::seed_from_u64(u64::from(a) << 32 | u64::from(b));
+    solid.radiance(environment, ray.normal, ray.toward_viewer, &mut random)
+}
+
+/// Of a surface that reflects.
+fn radiance(material: &Material, light: Light, ray: &Ray, u: [f32; 4]) -> Vec3 {
     // The tangent runs along the parallels of latitude.
-    let frame = Frame::from_normal_and_tangent::<f32>(normal, Vec3::Y.cross(normal));
-    let wo = frame.to_local::<f32>(toward_viewer);
+    let frame = Frame::from_normal_and_tangent::<f32>(ray.normal, Vec3::Y.cross(ray.normal));
+    let wo = frame.to_local::<f32>(ray.toward_viewer);
     match light {
         Light::Distant { towards, irradiance } => {
             let wi = frame.to_local::<f32>(to_world(towards));

@@ -1,9 +1,9 @@
 //! Curves over the angle of incidence.
 
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 use brdf::materials::GOLD;
-use brdf::polarization::{Amplitudes, Complex, Interface, Stokes};
+use brdf::polarization::{Amplitudes, Complex, Interface, Jones, Stokes};
 use brdf::{ParameterError, brewster_angle, critical_angle};
 use plotters::style::RGBColor;
 
@@ -19,10 +19,10 @@ fn curve(name: &str, color: RGBColor, at: impl Fn(f64) -> f64) -> Curve {
     Curve::new(name, color, (0..900).map(point).collect())
 }
 
-/// A vertical line at an angle, with its name.
+/// A vertical line at an angle, with its name and the angle.
 fn mark(name: &str, angle: f64, low: f64, high: f64) -> Curve {
     let degrees = angle.to_degrees();
-    Curve::new(name, GREY, vec![(degrees, low), (degrees, high)]).dashed()
+    Curve::new(format!("{name}{degrees:.1}°"), GREY, vec![(degrees, low), (degrees, high)]).dashed()
 }
 
 fn panel(heading: &str, y_name: &'static str, y: [f64; 2], curves: Vec<Curve>) -> Panel {
@@ -61,7 +61,7 @@ pub fn glass() -> Result<Figure, ParameterError> {
             vec![
                 of(outside, "R_s", BLUE, |found| found.reflectance().s),
                 of(outside, "R_p", RED, |found| found.reflectance().p),
-                mark("Brewster", brewster, 0.0, 1.0),
+                mark("Brewster ", brewster, 0.0, 1.0),
             ],
         ),
         panel(
@@ -71,8 +71,8 @@ pub fn glass() -> Result<Figure, ParameterError> {
             vec![
                 of(inside, "R_s", BLUE, |found| found.reflectance().s),
                 of(inside, "R_p", RED, |found| found.reflectance().p),
-                mark("Brewster", back, 0.0, 1.05),
-                mark("total", critical, 0.0, 1.05),
+                mark("Brewster ", back, 0.0, 1.05),
+                mark("total ", critical, 0.0, 1.05),
             ],
         ),
         panel(
@@ -82,8 +82,8 @@ pub fn glass() -> Result<Figure, ParameterError> {
             vec![
                 of(inside, "arg r_s", BLUE, |found| found.r.s.arg().to_degrees()),
                 of(inside, "arg r_p", RED, |found| found.r.p.arg().to_degrees()),
-                mark("Brewster", back, -185.0, 185.0),
-                mark("total", critical, -185.0, 185.0),
+                mark("Brewster ", back, -185.0, 185.0),
+                mark("total ", critical, -185.0, 185.0),
             ],
         ),
         panel(
@@ -97,7 +97,7 @@ pub fn glass() -> Result<Figure, ParameterError> {
                 curve("transmitted", RED, |angle| {
                     polarization(outside.amplitudes(angle.cos()).mueller_transmission() * natural)
                 }),
-                mark("Brewster", brewster, 0.0, 1.05),
+                mark("Brewster ", brewster, 0.0, 1.05),
             ],
         ),
     ];
@@ -139,8 +139,8 @@ pub fn rhomb() -> Result<Figure, ParameterError> {
             vec![
                 curve("one reflection", BLUE, after(1)),
                 curve("two reflections", RED, after(2)),
-                mark("48.6°", first, 0.0, 1.05),
-                mark("54.6°", second, 0.0, 1.05),
+                mark("", first, 0.0, 1.05),
+                mark("", second, 0.0, 1.05),
             ],
         )],
     })
@@ -182,5 +182,58 @@ pub fn gold() -> Result<Figure, ParameterError> {
                 .into(),
         swatch: None,
         panels: vec![azimuths, all],
+    })
+}
+
+/// The light of the sky, polarised across the direction to the sun, on a window; and what a polariser
+/// in front of the eye leaves of it.
+pub fn sky() -> Result<Figure, ParameterError> {
+    // Of a clear sky at 90° from the sun.
+    const SKY: f64 = 0.75;
+    let glass = Interface::new(Complex::real(1.0), Complex::real(1.5))?;
+    let brewster = brewster_angle(1.0, 1.5);
+    let natural = Stokes::unpolarized(1.0);
+    let sky = |azimuth: f64| {
+        let Stokes { q, u, .. } = Stokes::linear(SKY, azimuth);
+        Stokes { i: 1.0, q, u, v: 0.0 }
+    };
+    let reflected = |light: Stokes<f64>| {
+        move |angle: f64| (glass.amplitudes(angle.cos()).mueller_reflection() * light).i
+    };
+    let over_angle = vec![
+        curve("sky along s", BLUE, reflected(sky(0.0))),
+        curve("overcast", GREEN, reflected(natural)),
+        curve("sky along p", RED, reflected(sky(FRAC_PI_2))),
+        mark("Brewster ", brewster, 0.0, 1.0),
+    ];
+    let through = |degrees: f64| {
+        let light = glass.amplitudes(degrees.to_radians().cos()).mueller_reflection() * natural;
+        move |azimuth: f64| (Jones::polarizer(azimuth).mueller() * light).i / light.i
+    };
+    let turned = vec![
+        curve("at 30°", GREEN, through(30.0)),
+        curve("Brewster, 56.3°", BLUE, through(brewster.to_degrees())),
+        curve("at 75°", RED, through(75.0)),
+    ];
+    let azimuths = Panel {
+        x_name: "azimuth of the polariser from s, degrees",
+        ..panel(
+            "an overcast sky in the window, through a polariser",
+            "part that passes",
+            [0.0, 1.05],
+            turned,
+        )
+    };
+    Ok(Figure {
+        name: "sky".into(),
+        title: "The sky in a window".into(),
+        subtitle: "Glass of index 1.5. The light of a clear sky at 90° from the sun is taken as polarised by \
+                   three quarters, along s or along p of the window; that of an overcast sky is natural."
+            .into(),
+        swatch: None,
+        panels: vec![
+            panel("the window", "reflectance", [0.0, 1.0], over_angle),
+            azimuths,
+        ],
     })
 }

@@ -5,3 +5,6 @@ pub const MAX_DEPTH: usize = 32;
 
 /// How many terms all sums and mixtures of a description may have together.
 pub const MAX_TERMS: usize = 1024;
+
+/// How many samples of optical constants a description may have altogether.
+pub const MAX_SAMPLES: usize = 8192;

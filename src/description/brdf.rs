@@ -10,10 +10,12 @@ use crate::distribution::{Beckmann, Blinn1977};
 use crate::glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
 use crate::planetary::{LommelSeeliger, Minnaert};
-use crate::real::Real;
+use crate::real::{Color, Real};
 use crate::sum::WeightedSum;
 
-pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, DescriptionError> {
+pub(super) fn brdf<T: Real, C: Color<T>>(
+    at: &Build<'_, T, C>,
+) -> Result<AnyBrdf<T, C>, DescriptionError> {
     let lobe = || Ok((at.color("specular")?, at.number("exponent")?));
     Ok(match at.described.form.name() {
         "lambert" => at.made(Lambert::new(at.color("albedo")?))?.into(),
@@ -74,7 +76,7 @@ pub(super) fn brdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBrdf<T>, Description
         }
         "sum" => {
             let terms = at.terms(|term| Ok((term.color("weight")?, term.part("brdf", brdf)?)))?;
-            at.list(WeightedSum::<AnyBrdf<T>, _, T>::new(terms))?.into()
+            at.list(WeightedSum::<AnyBrdf<T, C>, _, T>::new(terms))?.into()
         }
         _ => return Err(at.unknown()),
     })

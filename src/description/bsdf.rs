@@ -9,20 +9,28 @@ use crate::distribution::AnyDistribution;
 use crate::interface::{
     AnyBsdf, AnySmith, Mirror, Plastic, RoughDielectric, SmoothDielectric, ThinDielectric,
 };
-use crate::real::Real;
+use crate::real::{Color, Real};
 use crate::wave::{BeckmannKirchhoff, He1991, Masking};
 
-pub(super) fn bsdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBsdf<T>, DescriptionError> {
+pub(super) fn bsdf<T: Real, C: Color<T>>(
+    at: &Build<'_, T, C>,
+) -> Result<AnyBsdf<T, C>, DescriptionError> {
     Ok(match at.described.form.name() {
         "mirror" => Mirror::new(at.part("fresnel", fresnel)?).into(),
         "plastic" => {
             let new = if at.flag("nonlinear") { Plastic::new } else { Plastic::linear };
-            at.made(new(at.color("diffuse")?, at.number("ior")?))?.into()
+            at.made(new(at.color("diffuse")?, at.transparent_to_all("ior")?))?.into()
+        }
+        "dielectric" => {
+            at.made(SmoothDielectric::new(at.transparent_to_all("ior")?))?.in_channels::<C>().into()
+        }
+        "thin_dielectric" => {
+            at.made(ThinDielectric::new(at.transparent_to_all("ior")?))?.in_channels::<C>().into()
         }
         "beckmann_kirchhoff_1963" => {
             let (sigma, correlation) = (at.number("sigma")?, at.number("correlation")?);
             let fresnel = at.part("fresnel", fresnel)?;
-            let wavelength = at.color("wavelength")?;
+            let wavelength = at.wavelength("wavelength")?;
             at.made(BeckmannKirchhoff::new(sigma, correlation, fresnel, wavelength))?.into()
         }
         "he_1991" => {
@@ -34,24 +42,24 @@ pub(super) fn bsdf<T: Real>(at: &Build<'_, T>) -> Result<AnyBsdf<T>, Description
                 _ => Masking::Corrected,
             };
             let model =
-                at.made(He1991::new(sigma, correlation, fresnel, at.color("wavelength")?))?;
+                at.made(He1991::new(sigma, correlation, fresnel, at.wavelength("wavelength")?))?;
             at.made(model.with_uniform_diffuse(uniform))?.with_masking(masking).into()
         }
-        "dielectric" => at.made(SmoothDielectric::new(at.number("ior")?))?.into(),
-        "thin_dielectric" => at.made(ThinDielectric::new(at.number("ior")?))?.into(),
         "rough_dielectric" => {
             let facets = at.part("distribution", distribution)?;
-            let ior = at.number("ior")?;
+            let ior = at.transparent_to_all("ior")?;
             let shadowing = match at.described.word("shadowing") {
                 "smith_separable" => AnySmith::Separable,
                 _ => AnySmith::Correlated,
             };
             match facets {
                 AnyDistribution::Beckmann(facets) => {
-                    at.made(RoughDielectric::new(facets, ior))?.with_shadowing(shadowing).into()
+                    let rough = at.made(RoughDielectric::new(facets, ior))?;
+                    rough.with_shadowing(shadowing).in_channels::<C>().into()
                 }
                 AnyDistribution::Ggx(facets) => {
-                    at.made(RoughDielectric::new(facets, ior))?.with_shadowing(shadowing).into()
+                    let rough = at.made(RoughDielectric::new(facets, ior))?;
+                    rough.with_shadowing(shadowing).in_channels::<C>().into()
                 }
                 _ => return Err(at.path.key("distribution").error(Problem::NotRefracting)),
             }

@@ -1,26 +1,28 @@
 //! What a form hands to the constructor of its type.
 
 use alloc::vec::Vec;
+use core::marker::PhantomData;
 
+use super::channels::{Channels, RGB};
 use super::error::{DescriptionError, Problem};
-use super::metal::material;
 use super::path::Path;
 use super::value::{Described, Numbers, Value};
 use crate::error::ParameterError;
 use crate::parameter::Preset;
-use crate::polarization::Complex;
-use crate::real::{Color, Real, Vector};
+use crate::real::{Color, Real};
 
 /// A form, or a term of its list, that is built in a number.
 #[derive(Clone, Copy)]
-pub(super) struct Build<'a, T> {
+pub(super) struct Build<'a, T, C> {
     pub(super) described: &'a Described,
     pub(super) path: Path<'a>,
     /// Makes the number of the value at a place.
     pub(super) number: &'a dyn Fn(&Path<'_>, f64) -> T,
+    pub(super) channels: Channels<'a>,
+    pub(super) color: PhantomData<C>,
 }
 
-impl<T: Real> Build<'_, T> {
+impl<T: Real, C: Color<T>> Build<'_, T, C> {
     /// The values of a parameter, each in its range.
     ///
     /// What the table does not have is NaN, which no range has.
@@ -52,11 +54,33 @@ impl<T: Real> Build<'_, T> {
         })
     }
 
-    pub(super) fn color(&self, key: &'static str) -> Result<T::Vec3, DescriptionError> {
-        Ok(match self.numbers(key)? {
-            Numbers::Three([x, y, z]) => Vector::new(x, y, z),
-            Numbers::One(gray) | Numbers::Two([gray, _]) => Color::splat(gray),
-        })
+    pub(super) fn color(&self, key: &'static str) -> Result<C, DescriptionError> {
+        self.color_at(key, RGB)
+    }
+
+    /// A colour whose red, green and blue are those of these wavelengths.
+    pub(super) fn color_at(&self, key: &'static str, own: [f64; 3]) -> Result<C, DescriptionError> {
+        let three = match self.numbers(key)? {
+            Numbers::Three(three) => three,
+            Numbers::One(gray) | Numbers::Two([gray, _]) => return Ok(C::splat(gray)),
+        };
+        let number = |place: usize| three.get(place).copied().unwrap_or(T::lit(f64::NAN));
+        let channel = |channel| match self.channels.shares(channel, own) {
+            [(one, _), (_, 0.0)] => number(one),
+            [(one, share), (other, rest)] => {
+                number(one) * T::lit(share) + number(other) * T::lit(rest)
+            }
+        };
+        Ok(C::from_channels(C::by_channel(channel)))
+    }
+
+    /// The wavelength of each channel: that of a key, or the one it is built for.
+    pub(super) fn wavelength(&self, key: &'static str) -> Result<C, DescriptionError> {
+        let Channels::Wavelengths(all) = self.channels else {
+            return self.color(key);
+        };
+        let channel = |channel| T::lit(all.get(channel).copied().unwrap_or(f64::NAN));
+        Ok(C::from_channels(C::by_channel(channel)))
     }
 
     /// A number for all, or one along the tangent and one along the bitangent; or an index.
@@ -80,33 +104,11 @@ impl<T: Real> Build<'_, T> {
         self.made(made)
     }
 
-    /// The index of a medium in each channel, at these wavelengths.
-    pub(super) fn medium(
-        &self,
-        key: &'static str,
-        wavelength: [f64; 3],
-    ) -> Result<Complex<T::Vec3>, DescriptionError> {
-        if let Some((_, Value::Term(described))) = self.described.get(key) {
-            let path = self.path.key(key);
-            if described.text("material").is_empty() {
-                let index = Build { described, path, ..*self };
-                return Ok(Complex::new(index.color("eta")?, index.color("k")?));
-            }
-            let found = material(described.text("material"), wavelength.into());
-            let [eta, k] = found
-                .map_err(|problem| path.key("material").error(problem))?
-                .map(|it| Vector::new(T::lit(it.x), T::lit(it.y), T::lit(it.z)));
-            return Ok(Complex::new(eta, k));
-        }
-        let (eta, k) = self.one_or_two(key)?;
-        Ok(Complex::new(Color::splat(eta), Color::splat(k.unwrap_or(T::zero()))))
-    }
-
     /// The terms of a key, by what makes each of them.
     pub(super) fn each<V>(
         &self,
         key: &'static str,
-        term: impl Fn(&Build<'_, T>) -> Result<V, DescriptionError>,
+        term: impl Fn(&Build<'_, T, C>) -> Result<V, DescriptionError>,
     ) -> Result<Vec<V>, DescriptionError> {
         let path = self.path.key(key);
         let terms = match self.described.get(key) {
@@ -143,7 +145,7 @@ impl<T: Real> Build<'_, T> {
     pub(super) fn part<V>(
         &self,
         key: &'static str,
-        build: impl FnOnce(&Build<'_, T>) -> Result<V, DescriptionError>,
+        build: impl FnOnce(&Build<'_, T, C>) -> Result<V, DescriptionError>,
     ) -> Result<V, DescriptionError> {
         match self.described.get(key) {
             Some((_, Value::Form(described))) => {
@@ -158,7 +160,7 @@ impl<T: Real> Build<'_, T> {
     /// The terms of a list, by what makes each of them.
     pub(super) fn terms<V>(
         &self,
-        term: impl Fn(&Build<'_, T>) -> Result<V, DescriptionError>,
+        term: impl Fn(&Build<'_, T, C>) -> Result<V, DescriptionError>,
     ) -> Result<Vec<V>, DescriptionError> {
         let terms = self.described.values.iter().enumerate();
         terms

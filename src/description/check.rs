@@ -1,12 +1,18 @@
 //! What the range of a single number cannot tell.
 
+use core::marker::PhantomData;
+
 use glam::DVec3;
 
+use super::bsdf::bsdf;
+use super::build::Build;
+use super::channels::Channels;
 use super::error::{DescriptionError, Problem};
-use super::metal::{material, metal};
+use super::fresnel::fresnel;
 use super::path::Path;
 use super::value::{Described, Numbers, Value};
 use crate::error::range;
+use crate::parameter::Part;
 use crate::real::Color;
 
 /// Checks a form whose numbers are in their ranges, and whose parts are checked.
@@ -14,11 +20,18 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
     match described.form.name() {
         "sum" => total(described, "total weight", path),
         "mixture" => total(described, "sum of weights", path),
-        "stack" => stack(described, path),
+        "stack" => built(described, path, fresnel::<f64, DVec3>).map(drop),
         "belcour_barla" => same_in_all_channels(described, &path.key("substrate")),
-        "metal" => metal(described.text("name")).map(drop).map_err(|problem| path.error(problem)),
         "rough_dielectric" if !is_facets(described) => {
             Err(path.key("distribution").error(Problem::NotRefracting))
+        }
+        // The material, and what its index comes to relative to that outside.
+        "metal" => built(described, path, fresnel::<f64, DVec3>).map(drop),
+        "dielectric" if described.form.part() == Part::Fresnel => {
+            built(described, path, fresnel::<f64, DVec3>).map(drop)
+        }
+        "dielectric" | "thin_dielectric" | "rough_dielectric" | "plastic" => {
+            built(described, path, bsdf::<f64, DVec3>).map(drop)
         }
         "cook_torrance" if described.word("shadowing") != "v_cavity" => {
             match described.get("distribution") {
@@ -40,32 +53,20 @@ fn is_facets(described: &Described) -> bool {
     }
 }
 
-/// Whether the materials of a stack are known at its wavelengths.
-fn stack(stack: &Described, path: &Path<'_>) -> Result<(), DescriptionError> {
-    let wavelength = DVec3::from(stack.channels("wavelength"));
-    let known = |described: &Described, key, path: &Path<'_>| match described.get(key) {
-        Some((_, Value::Term(index))) if !index.text("material").is_empty() => {
-            let found = material(index.text("material"), wavelength).map(drop);
-            found.map_err(|problem| path.key(key).key("material").error(problem))
-        }
-        _ => Ok(()),
-    };
-    known(stack, "outside", path)?;
-    if let Some((_, Value::List(layers))) = stack.get("layers") {
-        let path = path.key("layers");
-        for (index, layer) in layers.iter().enumerate() {
-            if let Value::Term(layer) = layer {
-                known(layer, "index", &path.index(index))?;
-            }
-        }
-    }
-    known(stack, "substrate", path)
+/// What is described, built in red, green and blue.
+fn built<V>(
+    described: &Described,
+    path: &Path<'_>,
+    build: impl Fn(&Build<'_, f64, DVec3>) -> Result<V, DescriptionError>,
+) -> Result<V, DescriptionError> {
+    let (path, channels, color) = (*path, Channels::Rgb, PhantomData);
+    build(&Build { described, path, number: &|_, value| value, channels, color })
 }
 
 /// Whether the index of a substrate is the same in all channels.
 fn same_in_all_channels(film: &Described, path: &Path<'_>) -> Result<(), DescriptionError> {
     let same = match film.get("substrate") {
-        Some((_, Value::Term(index))) if index.text("material").is_empty() => {
+        Some((_, Value::Term(index))) if index.get("eta").is_some() => {
             ["eta", "k"].into_iter().all(|key| {
                 let [red, green, blue] = index.channels(key);
                 red == green && green == blue

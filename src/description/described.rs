@@ -2,12 +2,14 @@
 
 use alloc::vec::Vec;
 use core::cell::RefCell;
+use core::marker::PhantomData;
 
 use super::brdf::brdf;
 use super::bsdf::bsdf;
 use super::build::Build;
+use super::channels::Channels;
 use super::distribution::distribution;
-use super::error::DescriptionError;
+use super::error::{DescriptionError, Problem};
 use super::fresnel::fresnel;
 use super::numbers::{Number, visit_numbers};
 use super::path::Path;
@@ -15,14 +17,18 @@ use super::read::read;
 use super::value::Described;
 use crate::any::AnyBrdf;
 use crate::distribution::AnyDistribution;
+use crate::error::{ParameterError, range};
 use crate::fresnel::AnyFresnel;
 use crate::interface::AnyBsdf;
 use crate::parameter::Part;
-use crate::real::Real;
+use crate::real::{Real, Spectrum};
 
 /// Declares the description of a part: what is read and written as data, and what builds it.
 macro_rules! description {
-    ($(#[$doc:meta])* pub struct $name:ident: $part:ident => $any:ident by $build:ident;) => {
+    (
+        $(#[$doc:meta])*
+        pub struct $name:ident: $part:ident => $any:ident<T $(, $color:ident)?> by $build:ident;
+    ) => {
         $(#[$doc])*
         #[derive(Clone, Debug, PartialEq)]
         pub struct $name(Described);
@@ -72,12 +78,16 @@ macro_rules! description {
                 let number = RefCell::new(number);
                 let number = |path: &Path<'_>, value| (number.borrow_mut())(path, value);
                 let path = Path::ROOT;
-                $build(&Build {
+                $build(&Build::<T, T::Vec3> {
                     described: &self.0,
                     path: path.key(self.0.form.name()),
                     number: &number,
+                    channels: Channels::Rgb,
+                    color: PhantomData,
                 })
             }
+
+            $(description! { @spectrum $color $any $build })?
         }
 
         impl $name {
@@ -123,6 +133,54 @@ macro_rules! description {
             }
         }
     };
+    (@spectrum $color:ident $any:ident $build:ident) => {
+        /// What is described, at wavelengths of choice in nanometres, one for each channel.
+        ///
+        /// Materials, samples and stacks have the index and the phases of each wavelength; a `wavelength`
+        /// of a stack counts for nothing but the place of the three numbers of a colour in it. Every other
+        /// colour `[r, g, b]` is a spectrum of straight lines between its values at 650, 550 and 450 nm,
+        /// constant beyond them: at these three wavelengths the answers are those of
+        /// [`build`](Self::build). An interface that refracts has one direction for all channels, that
+        /// of the middle one: where colours part, as in a prism, build one wavelength at a time.
+        ///
+        /// ```
+        /// use brdf::colorimetry::WAVELENGTHS;
+        /// use brdf::description::FresnelDescription;
+        /// use brdf::{Fresnel, Illuminant, Observer};
+        /// use glam::DVec3;
+        ///
+        /// let gold: FresnelDescription = serde_json::from_str(r#"{"metal": "Au"}"#)?;
+        /// let gold = gold.build_spectrum::<f64, 81>(&WAVELENGTHS)?;
+        /// let observer = Observer::new(Illuminant::D65, WAVELENGTHS)?;
+        /// let color = observer.linear_srgb(gold.reflectance(1.0));
+        /// assert!(color.abs_diff_eq(DVec3::new(1.037621, 0.728354, 0.364500), 1e-6));
+        /// # Ok::<(), Box<dyn std::error::Error>>(())
+        /// ```
+        ///
+        /// # Errors
+        /// If a wavelength is not in 1 … 10⁹ or not in the range of a material, a value is not in its
+        /// range in this number, or a term is the colour of a whole spectrum itself (`belcour_barla`).
+        pub fn build_spectrum<T: Real, const N: usize>(
+            &self,
+            wavelengths: &[f64; N],
+        ) -> Result<$any<T, Spectrum<T, N>>, DescriptionError> {
+            let path = Path::ROOT;
+            ParameterError::check_each("wavelength", range::WAVELENGTH, wavelengths).map_err(
+                |error| {
+                    let list = path.key("wavelength");
+                    let place = list.index(error.position().unwrap_or_default());
+                    place.error(Problem::Parameter(error))
+                },
+            )?;
+            $build(&Build::<T, Spectrum<T, N>> {
+                described: &self.0,
+                path: path.key(self.0.form.name()),
+                number: &|_, value| T::lit(value),
+                channels: Channels::Wavelengths(wavelengths),
+                color: PhantomData,
+            })
+        }
+    };
 }
 
 description! {
@@ -141,7 +199,7 @@ description! {
     /// assert!((plastic.albedo(Vec3::Z).x - 0.82).abs() < 1e-6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub struct BrdfDescription: Brdf => AnyBrdf by brdf;
+    pub struct BrdfDescription: Brdf => AnyBrdf<T, C> by brdf;
 }
 
 description! {
@@ -159,7 +217,7 @@ description! {
     /// assert!((f.x - 13.581221810508403).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub struct BsdfDescription: Bsdf => AnyBsdf by bsdf;
+    pub struct BsdfDescription: Bsdf => AnyBsdf<T, C> by bsdf;
 }
 
 description! {
@@ -176,7 +234,7 @@ description! {
     /// assert!((glass.reflectance(1.0).x - 0.04).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub struct FresnelDescription: Fresnel => AnyFresnel by fresnel;
+    pub struct FresnelDescription: Fresnel => AnyFresnel<T, C> by fresnel;
 }
 
 description! {
@@ -193,5 +251,5 @@ description! {
     /// assert!((density - 1.0 / (std::f64::consts::PI * 0.2 * 0.5)).abs() < 1e-14);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub struct DistributionDescription: Distribution => AnyDistribution by distribution;
+    pub struct DistributionDescription: Distribution => AnyDistribution<T> by distribution;
 }

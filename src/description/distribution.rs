@@ -3,10 +3,10 @@
 use super::build::Build;
 use super::error::DescriptionError;
 use crate::distribution::{AnyDistribution, AnyMixture, Beckmann, Blinn, Gaussian, Ggx};
-use crate::real::Real;
+use crate::real::{Color, Real};
 
-pub(super) fn distribution<T: Real>(
-    at: &Build<'_, T>,
+pub(super) fn distribution<T: Real, C: Color<T>>(
+    at: &Build<'_, T, C>,
 ) -> Result<AnyDistribution<T>, DescriptionError> {
     Ok(match at.described.form.name() {
         "gaussian" => at.made(Gaussian::new(at.number("roughness")?))?.into(),

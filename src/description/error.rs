@@ -4,7 +4,7 @@ use alloc::string::String;
 use core::error::Error;
 use core::fmt;
 
-use super::bounds::{MAX_DEPTH, MAX_TERMS};
+use super::bounds::{MAX_DEPTH, MAX_SAMPLES, MAX_TERMS};
 use crate::error::ParameterError;
 
 /// A description of something that cannot be built: where, what, and what is allowed.
@@ -31,7 +31,7 @@ pub struct DescriptionError {
 pub enum Problem {
     /// A number outside its range.
     Parameter(ParameterError),
-    /// A metal that is not known, and why not.
+    /// A metal or another material that is not known, and why not.
     Metal(String),
     /// Smith's shadowing with a distribution for which it is not known.
     NoSmith,
@@ -43,6 +43,10 @@ pub enum Problem {
     TooDeep,
     /// More terms of sums and mixtures than are allowed altogether.
     TooManyTerms,
+    /// More samples than are allowed altogether.
+    TooManySamples,
+    /// A Fresnel term that has three channels only, built for other wavelengths.
+    NoSpectrum,
     /// A form that is in the table of forms and that nothing builds.
     Unknown,
 }
@@ -95,6 +99,12 @@ impl fmt::Display for Problem {
                 "must be one index for all wavelengths: a number, [n, k], or the same eta and k in \
                  all channels",
             ),
+            Self::TooManySamples => {
+                write!(f, "samples may be at most {MAX_SAMPLES} altogether")
+            }
+            Self::NoSpectrum => f.write_str(
+                "this term is a colour, of the whole spectrum; `stack` is the film at each wavelength",
+            ),
             Self::Unknown => f.write_str("this form cannot be built"),
             Self::TooDeep => {
                 write!(f, "at most {MAX_DEPTH} sums and mixtures may stand inside each other")
@@ -109,7 +119,7 @@ impl fmt::Display for Problem {
 /// Whether the parameter is no key but the sum of weights of a list.
 fn is_of_list(error: &ParameterError) -> bool {
     (error.parameter().contains("weight") && error.parameter() != "weight")
-        || error.parameter() == "number of layers"
+        || error.parameter().starts_with("number of ")
 }
 
 impl Error for DescriptionError {}

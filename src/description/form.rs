@@ -5,6 +5,7 @@ use alloc::vec;
 use super::value::{Described, Numbers, Value};
 use crate::diffuse::{Lambert, OrenNayar};
 use crate::distribution::{Beckmann, Blinn, Blinn1977, Gaussian, Ggx};
+use crate::error::range;
 use crate::fresnel::{
     BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Stack,
 };
@@ -58,6 +59,10 @@ impl Form {
     #[must_use]
     pub const fn content(&self) -> &Content {
         &self.content
+    }
+
+    pub(super) const fn part(&self) -> Part {
+        self.part
     }
 
     pub(super) const fn room(&self) -> &'static Room {
@@ -185,12 +190,16 @@ static BRDF_FORMS: [Form; 12] = [
 /// Models over the whole sphere that are none of reflection alone, and those with specular lobes.
 static SPHERE_FORMS: [Form; 7] = [
     form!(Bsdf "mirror": Keys &[REFLECTANCE.or(Preset::White)]),
-    form!(Bsdf "plastic": Keys <Plastic>::PARAMETERS),
+    form!(Bsdf "plastic": Keys &[
+        <Plastic>::PARAMETERS[0],
+        <Plastic>::PARAMETERS[1].of(Kind::RealIndex(range::DENSER, 1)),
+        <Plastic>::PARAMETERS[2],
+    ]),
     form!(Bsdf "beckmann_kirchhoff_1963": Keys <BeckmannKirchhoff<()>>::PARAMETERS),
     form!(Bsdf "he_1991": Keys <He1991<()>>::PARAMETERS),
-    form!(Bsdf "dielectric": Keys <SmoothDielectric>::PARAMETERS),
-    form!(Bsdf "thin_dielectric": Keys <ThinDielectric>::PARAMETERS),
-    form!(Bsdf "rough_dielectric": Keys &[FACETS, ROUGH_IOR, REFRACTED_SHADOWING]),
+    form!(Bsdf "dielectric": Keys &[<SmoothDielectric>::PARAMETERS[0].of(ONE_INDEX)]),
+    form!(Bsdf "thin_dielectric": Keys &[<ThinDielectric>::PARAMETERS[0].of(ONE_INDEX)]),
+    form!(Bsdf "rough_dielectric": Keys &[FACETS, ROUGH_IOR.of(ONE_INDEX), REFRACTED_SHADOWING]),
 ];
 
 /// These, and every model of reflection.
@@ -198,7 +207,9 @@ static BSDF_FORMS: [Form; 19] = joined(&SPHERE_FORMS, &BRDF_FORMS);
 
 static FRESNEL_FORMS: [Form; 9] = [
     form!(Fresnel "constant": Value &<Constant>::PARAMETERS[0]),
-    form!(Fresnel "dielectric": Keys <Dielectric>::PARAMETERS),
+    form!(Fresnel "dielectric": Keys &[
+        <Dielectric>::PARAMETERS[0].of(Kind::RelativeIndex(range::ETA, 3)),
+    ]),
     form!(Fresnel "conductor": Keys <Conductor>::PARAMETERS),
     form!(Fresnel "metal": Value &METAL),
     form!(Fresnel "schlick": Keys <GeneralSchlick>::PARAMETERS),
@@ -221,9 +232,37 @@ pub(super) static LAYER: Form = form!(Fresnel "layers": Terms <Stack>::LAYER);
 pub(super) static INDICES: Form = form!(Fresnel "index": Keys <Conductor>::PARAMETERS);
 
 /// The index of a measured material.
-pub(super) static MATERIAL: Form = form!(Fresnel "index": Keys &[Parameter::new(
-    "material", "", "key, symbol or name of a measured material", Kind::Text,
-)]);
+pub(super) static MATERIAL: Form = form!(Fresnel "index": Keys &[NAME]);
+
+/// The index of samples.
+pub(super) static SAMPLES: Form = form!(Fresnel "index": Keys &[NUMBERS]);
+
+/// The index of a measured material relative to that outside.
+pub(super) static MATERIAL_IN: Form = form!(Fresnel "index": Keys &[NAME, OUTSIDE]);
+
+/// The index of samples relative to that outside.
+pub(super) static SAMPLES_IN: Form = form!(Fresnel "index": Keys &[NUMBERS, OUTSIDE]);
+
+const NAME: Parameter =
+    Parameter::new("material", "", "key, symbol or name of a measured material", Kind::Text);
+
+const NUMBERS: Parameter = Parameter::new(
+    "samples",
+    "",
+    "wavelength in nm, n and k of each sample, by rising wavelength",
+    Kind::Samples,
+);
+
+const OUTSIDE: Parameter = Parameter::new(
+    "outside",
+    "n₁",
+    "index of the medium that the light comes from",
+    Kind::RealIndex(range::ETA, 3),
+)
+.or(Preset::Number(1.0));
+
+/// An index that is the same in all channels.
+const ONE_INDEX: Kind = Kind::RealIndex(range::ETA, 1);
 
 static DISTRIBUTION_FORMS: [Form; 5] = [
     form!(Distribution "gaussian": Keys <Gaussian>::PARAMETERS),
@@ -262,13 +301,12 @@ const REFRACTED_SHADOWING: Parameter = Parameter::new(
 )
 .or(Preset::Word("smith"));
 
-/// An index at 650, 550 and 450 nm. `Ta` and `Zn` are accepted although their sets are not for
-/// colour.
+/// `Ta` and `Zn` are accepted although their sets are not for colour.
 const METAL: Parameter = Parameter::new(
     "name",
     "",
     "symbol or name of a metal, alloy or semiconductor whose index was measured",
-    Kind::Text,
+    Kind::Metal,
 );
 
 const fn joined<const N: usize>(first: &[Form], rest: &[Form]) -> [Form; N] {

@@ -3,25 +3,25 @@
 use alloc::string::ToString;
 
 use super::build::Build;
+use super::channels::Channels;
 use super::error::{DescriptionError, Problem};
-use super::metal::metal;
 use crate::fresnel::{
     AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, GeneralSchlick, Hall, Schlick,
-    Stack,
+    Stack, xyz_in_linear_srgb,
 };
 use crate::polarization::{Complex, Layer};
-use crate::real::{Real, Vector};
+use crate::real::{Color, Real};
 
-pub(super) fn fresnel<T: Real>(at: &Build<'_, T>) -> Result<AnyFresnel<T>, DescriptionError> {
+pub(super) fn fresnel<T: Real, C: Color<T>>(
+    at: &Build<'_, T, C>,
+) -> Result<AnyFresnel<T, C>, DescriptionError> {
     Ok(match at.described.form.name() {
         "constant" => at.made(Constant::new(at.color("reflectance")?))?.into(),
-        "dielectric" => at.made(Dielectric::new(at.color("ior")?))?.into(),
+        "dielectric" => at.made(Dielectric::new(at.transparent("ior")?))?.into(),
         "conductor" => at.made(Conductor::new(at.color("eta")?, at.color("k")?))?.into(),
         "metal" => {
-            let [eta, k] = metal(at.described.text("name"))
-                .map_err(|problem| at.path.error(problem))?
-                .map(|it| Vector::new(T::lit(it.x), T::lit(it.y), T::lit(it.z)));
-            Conductor::new(eta, k)
+            let Complex { re, im } = at.metal()?;
+            Conductor::new(re, im)
                 .map_err(|error| at.path.error(Problem::Metal(error.to_string())))?
                 .into()
         }
@@ -60,14 +60,23 @@ pub(super) fn fresnel<T: Real>(at: &Build<'_, T>) -> Result<AnyFresnel<T>, Descr
             })?;
             let outside = at.medium("outside", wavelengths)?;
             let substrate = at.medium("substrate", wavelengths)?;
-            let wavelength = at.color("wavelength")?;
+            let wavelength = at.wavelength("wavelength")?;
             at.made(Stack::new(outside, &layers, substrate, wavelength))?.into()
         }
         "belcour_barla" => {
             let (film, thickness) = (at.number("film")?, at.number("thickness")?);
             let Complex { re, im } = at.medium("substrate", [f64::NAN; 3])?;
-            let substrate = [re.x(), im.x()];
-            at.made(BelcourBarla::new(film, thickness, substrate, at.number("outside")?))?.into()
+            let first = |color: C| color.channels().as_ref().first().copied();
+            let substrate = [re, im].map(|part| first(part).unwrap_or(T::lit(f64::NAN)));
+            let outside = at.number("outside")?;
+            let Channels::Rgb = at.channels else {
+                return Err(at.path.error(Problem::NoSpectrum));
+            };
+            let colors = xyz_in_linear_srgb().map(|color| {
+                let channel = |channel| color.get(channel).copied().unwrap_or(f64::NAN);
+                C::from_channels(C::by_channel(|index| T::lit(channel(index))))
+            });
+            at.made(BelcourBarla::with_colors(film, thickness, substrate, outside, colors))?.into()
         }
         _ => return Err(at.unknown()),
     })

@@ -29,27 +29,39 @@
 //! |---|---|
 //! | every Brdf | zero below the surface |
 //! | `{"mirror": {"fresnel": F}}` | one specular lobe; `{"constant": 1}` is the default |
-//! | `{"plastic": {"diffuse": C, "ior": 1.5, "nonlinear": true}}` | Lambert's surface under a smooth dielectric, n ≥ 1 |
+//! | `{"plastic": {"diffuse": C, "ior": 1.5, "nonlinear": true}}` | Lambert's surface under a smooth dielectric, n ≥ 1, or measured: M |
 //! | `{"beckmann_kirchhoff_1963": {"sigma": s, "correlation": t, "fresnel": F, "wavelength": [650, 550, 450]}}` | lengths in nanometres; F is `{"constant": 1}` by default |
 //! | `{"he_1991": {"sigma": s, "correlation": t, "fresnel": F, "uniform_diffuse": 0, "masking": "corrected", "wavelength": [650, 550, 450]}}` | lengths in nanometres, the uniform part in sr⁻¹; the masking is also `"printed"` |
-//! | `{"dielectric": {"ior": n}}` | a smooth interface; n is the index below over that above |
-//! | `{"thin_dielectric": {"ior": n}}` | a plane plate with all its internal reflections |
-//! | `{"rough_dielectric": {"distribution": D, "ior": n, "shadowing": S}}` | D is `beckmann` or `ggx`, S `"smith"` (the default) or `"smith_separable"` |
+//! | `{"dielectric": {"ior": n}}` | a smooth interface; n is the index below over that above, or M |
+//! | `{"thin_dielectric": {"ior": n}}` | a plane plate with all its internal reflections; n or M |
+//! | `{"rough_dielectric": {"distribution": D, "ior": n, "shadowing": S}}` | n or M; D is `beckmann` or `ggx`, S `"smith"` (the default) or `"smith_separable"` |
 //!
 //! | Fresnel F | |
 //! |---|---|
 //! | `{"constant": C}` | same at all angles |
-//! | `{"dielectric": {"ior": C}}` | relative index, transmitted over incident; below 1 is from inside |
+//! | `{"dielectric": {"ior": C}}` | relative index, transmitted over incident; below 1 is from inside; or measured: M, with `"outside"` |
 //! | `{"conductor": {"eta": C, "k": C}}` | |
-//! | `{"metal": "Au"}` | measured index at 650, 550 and 450 nm, by symbol or name (feature `materials`); `Ta` and `Zn` are accepted although their sets are not for colour |
+//! | `{"metal": "Au"}` | measured index at 650, 550 and 450 nm, by symbol or name (feature `materials`); `Ta` and `Zn` are accepted although their sets are not for colour; or M, with `"outside"` |
 //! | `{"schlick": {"f0": C, "f90": 1, "exponent": 5}}` | reflectance at normal and at grazing incidence |
 //! | `{"hall": {"f0": C, "ior": 1.5}}` | interpolation driven by the exact curve of the index; or of a conductor's, `[eta, k]` |
 //! | `{"cook": {"f0": C, "light": C, "ior": 1.5}}` | likewise; contains the light |
 //! | `{"stack": {"outside": 1, "layers": [{"index": I, "thickness": d}, …], "substrate": I, "wavelength": [650, 550, 450]}}` | coherent films, at most 64, lengths in nanometres |
 //! | `{"belcour_barla": {"film": n, "thickness": d, "substrate": I, "outside": 1}}` | a film over the whole spectrum; the index of the substrate is the same in all channels |
 //!
-//! An index I is `n`, or `[n, k]`, or `{"eta": C, "k": C}` for each channel, or that of a measured
-//! material at the wavelengths, `{"material": "Au"}` (feature `materials`).
+//! An index I is `n`, or `[n, k]`, or `{"eta": C, "k": C}` for each channel, or measured: M.
+//!
+//! M is the index of a material at the wavelengths of the channels, `{"material": "Au"}` (feature
+//! `materials`), or that of samples, `{"samples": [[λ, n, k], …]}`: at least two, λ in nanometres and each
+//! above the one before it, as [`OpticalConstants`](crate::materials::OpticalConstants). In
+//! `metal` and in the Fresnel term `dielectric` the light may come from a transparent medium other than air:
+//! `{"metal": {"material": "Au", "outside": 1.33}}`, `{"dielectric": {"ior": {"material": "BK7",
+//! "outside": {"material": "water"}}}}`. Outside is a colour C or M, 1 by default. An index `ior` is
+//! that of a transparent medium: k is at most 10⁻³, and left out.
+//!
+//! # Wavelengths
+//! [`build`] makes models of three channels, red, green and blue, at 650, 550 and 450 nm.
+//! [`build_spectrum`](BrdfDescription::build_spectrum) makes them at any wavelengths, with the index of
+//! every material at each of them.
 //!
 //! | Distribution D | |
 //! |---|---|
@@ -87,6 +99,7 @@
 //! # Bounds
 //! At most [`MAX_DEPTH`] sums and mixtures stand inside each other, and all of them together have
 //! at most [`MAX_TERMS`] terms; a description beyond that is an error before it is read further.
+//! Samples of indices are at most [`MAX_SAMPLES`] altogether.
 //! So a file from an unknown source can neither overflow the stack nor fill the memory, in any
 //! format, and the cost of a model stays bounded. A format may have a narrower bound of its own: RON
 //! stops at a depth of about 20 unless its option `recursion_limit` is raised.
@@ -101,14 +114,16 @@ mod bounds;
 mod brdf;
 mod bsdf;
 mod build;
+mod channels;
 mod check;
 mod described;
 mod distribution;
 mod error;
 mod form;
 mod fresnel;
+mod index;
 mod leaf;
-mod metal;
+mod measured;
 mod numbers;
 mod path;
 mod place;
@@ -116,7 +131,7 @@ mod read;
 mod value;
 mod write;
 
-pub use bounds::{MAX_DEPTH, MAX_TERMS};
+pub use bounds::{MAX_DEPTH, MAX_SAMPLES, MAX_TERMS};
 pub use described::{
     BrdfDescription, BsdfDescription, DistributionDescription, FresnelDescription,
 };

@@ -69,7 +69,7 @@ pub(super) fn visit_numbers(described: &mut Described, path: &Path<'_>, visit: V
                     }
                 }
             }
-            Value::Flag(_) | Value::Word(..) | Value::Text(_) => {}
+            Value::Flag(_) | Value::Word(..) | Value::Text(_) | Value::Constants(_) => {}
         }
     }
 }

@@ -6,7 +6,7 @@ use core::fmt;
 
 use serde::de::Error;
 
-use super::bounds::{MAX_DEPTH, MAX_TERMS};
+use super::bounds::{MAX_DEPTH, MAX_SAMPLES, MAX_TERMS};
 use super::error::{DescriptionError, Problem};
 use super::path::Path;
 use crate::parameter::Parameter;
@@ -25,6 +25,8 @@ pub(super) struct Place<'a> {
 pub(super) struct Record {
     /// The terms of all lists so far.
     terms: Cell<usize>,
+    /// The samples so far.
+    samples: Cell<usize>,
     /// The place where reading failed first.
     failure: RefCell<String>,
     failed: Cell<bool>,
@@ -69,6 +71,16 @@ impl<'a> Place<'a> {
             return Err(Problem::TooDeep);
         }
         Ok(Self { depth: self.depth + 1, ..self.index(index) })
+    }
+
+    /// A sample of this list, if there may be one more.
+    pub(super) fn sample(&'a self, index: usize) -> Result<Self, Problem> {
+        let samples = self.record.samples.get() + 1;
+        self.record.samples.set(samples);
+        if samples > MAX_SAMPLES {
+            return Err(Problem::TooManySamples);
+        }
+        Ok(self.index(index))
     }
 
     /// Checks a number of this place, the one at an index of the parameter.

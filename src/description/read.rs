@@ -14,7 +14,8 @@ use serde::de::{
 
 use super::check::{check, has_smith};
 use super::error::Problem;
-use super::form::{Content, Form, INDICES, LAYER, MATERIAL, Room, white};
+use super::form::{Content, Form, LAYER, Room, white};
+use super::index::{IndexAt, SamplesAt};
 use super::leaf::{AllWords, OneOrEach, Text, Word, Words};
 use super::place::{Place, Progress, Record};
 use super::value::{Described, Numbers, Value};
@@ -146,7 +147,7 @@ impl<'de> Visitor<'de> for Keys<'_> {
 }
 
 /// The value of a parameter that is not given, beside those that are.
-fn default(parameter: &Parameter, given: &[Option<Value>]) -> Option<Value> {
+pub(super) fn default(parameter: &Parameter, given: &[Option<Value>]) -> Option<Value> {
     let one_of = |word: &str| match parameter.kind {
         Kind::Word(words) => {
             Some(Value::Word(words, words.iter().position(|other| *other == word)?))
@@ -167,7 +168,7 @@ fn default(parameter: &Parameter, given: &[Option<Value>]) -> Option<Value> {
 }
 
 /// Reads the value of a parameter.
-struct ValueAt<'a>(Place<'a>, &'static Parameter);
+pub(super) struct ValueAt<'a>(pub(super) Place<'a>, pub(super) &'static Parameter);
 
 impl<'de> DeserializeSeed<'de> for ValueAt<'_> {
     type Value = Value;
@@ -176,7 +177,10 @@ impl<'de> DeserializeSeed<'de> for ValueAt<'_> {
         let Self(place, parameter) = self;
         let read = match parameter.kind {
             Kind::Part(part) => FormAt(place, Room::of(part)).deserialize(from).map(Value::Form),
-            Kind::Medium(..) => from.deserialize_any(MediumAt(&place, parameter)),
+            Kind::Medium(..) | Kind::RealIndex(..) | Kind::RelativeIndex(..) | Kind::Metal => {
+                from.deserialize_any(IndexAt(&place, parameter))
+            }
+            Kind::Samples => from.deserialize_seq(SamplesAt(&place, parameter)),
             Kind::List(_) => from.deserialize_seq(Layers(&place)).map(Value::List),
             Kind::Flag => bool::deserialize(from).map(Value::Flag),
             Kind::Text => from.deserialize_str(Text).map(Value::Text),
@@ -285,72 +289,5 @@ impl<'de> DeserializeSeed<'de> for LayerAt<'_> {
             list.refuse::<D::Error>(list.path().error(Problem::Parameter(error)))
         })?;
         term(&list.index(index), &LAYER, from)
-    }
-}
-
-/// The keys of both objects that an index may be.
-const MEDIUM_KEYS: &[&str] = &["eta", "k", "material"];
-
-/// n, `[n, k]`, `{"eta": C, "k": C}` or `{"material": "Au"}`.
-struct MediumAt<'a>(&'a Place<'a>, &'static Parameter);
-
-impl<'de> Visitor<'de> for MediumAt<'_> {
-    type Value = Value;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(
-            "a number, a list of 2 numbers, or an object with the keys `eta` and `k` or the key \
-             `material`",
-        )
-    }
-
-    fn visit_f64<E: Error>(self, value: f64) -> Result<Value, E> {
-        OneOrEach(self.0, self.1).visit_f64(value).map(Value::Numbers)
-    }
-
-    fn visit_u64<E: Error>(self, value: u64) -> Result<Value, E> {
-        self.visit_f64(value as f64)
-    }
-
-    fn visit_i64<E: Error>(self, value: i64) -> Result<Value, E> {
-        self.visit_f64(value as f64)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Value, A::Error> {
-        OneOrEach(self.0, self.1).visit_seq(list).map(Value::Numbers)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Value, A::Error> {
-        let place = self.0;
-        let parameters = || INDICES.parameters().iter().chain(MATERIAL.parameters());
-        let mut values = [None, None, None];
-        while let Some(key) = map.next_key_seed(Word(place, MEDIUM_KEYS))? {
-            let (Some(parameter), Some(value)) = (parameters().nth(key), values.get_mut(key))
-            else {
-                continue;
-            };
-            let place = place.key(parameter.name);
-            if value.is_some() {
-                place.note_failure();
-                return Err(A::Error::custom("this key is given twice"));
-            }
-            *value = Some(map.next_value_seed(ValueAt(place, parameter))?);
-        }
-        let term = |form: &'static Form, values| Value::Term(Described { form, values });
-        let missing = |key| {
-            place.key(key).note_failure();
-            A::Error::custom("this key is missing")
-        };
-        match values {
-            [Some(eta), Some(k), None] => Ok(term(&INDICES, vec![eta, k])),
-            [None, None, Some(name)] => Ok(term(&MATERIAL, vec![name])),
-            [Some(_), None, None] => Err(missing("k")),
-            [None, Some(_), None] => Err(missing("eta")),
-            [None, None, None] => Err(missing("material")),
-            [_, _, Some(_)] => {
-                place.key("material").note_failure();
-                Err(A::Error::custom("`material` must be the only key of its object"))
-            }
-        }
     }
 }

@@ -5,6 +5,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::form::Form;
+use crate::materials::OpticalConstants;
 use crate::parameter::Parameter;
 
 /// A form, or a term of its list, with the values of its parameters in their order; or a form with
@@ -27,6 +28,7 @@ pub(super) enum Value {
     Term(Described),
     /// Terms of a key.
     List(Vec<Self>),
+    Constants(OpticalConstants),
 }
 
 /// One number for all, or a number for each.
@@ -98,6 +100,7 @@ impl fmt::Debug for Value {
             Self::Form(described) => described.fmt(f),
             Self::Term(term) => f.debug_list().entries(&term.values).finish(),
             Self::List(terms) => terms.fmt(f),
+            Self::Constants(constants) => constants.fmt(f),
         }
     }
 }

@@ -52,6 +52,9 @@ impl Serialize for Value {
             Self::Text(text) => text.serialize(to),
             Self::Form(described) => described.serialize(to),
             Self::List(terms) => terms.serialize(to),
+            Self::Constants(constants) => to.collect_seq(constants.samples().map(|it| {
+                Self::Numbers(Numbers::Three([it.wavelength, it.index.eta, it.index.k]))
+            })),
             Self::Term(term) => {
                 let name = term.form.room().term;
                 let mut keys = to.serialize_struct(name, term.values.len())?;

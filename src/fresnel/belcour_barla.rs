@@ -84,6 +84,13 @@ impl<C, T> BelcourBarla<C, T> {
     ];
 }
 
+/// The colours of X, Y and Z in linear sRGB, such that their sum is (1, 1, 1).
+pub(crate) fn xyz_in_linear_srgb() -> [[f64; 3]; 3] {
+    let white = xyz_to_linear_srgb(glam::DVec3::ONE);
+    [glam::DVec3::X, glam::DVec3::Y, glam::DVec3::Z]
+        .map(|axis| (xyz_to_linear_srgb(axis) / white).to_array())
+}
+
 impl<T: Real, C: Color<T> + Vector<T>> BelcourBarla<C, T> {
     /// A film of index `film` and a thickness in nanometres on a substrate of index n + ik,
     /// `[n, k]`, seen from a transparent medium.
@@ -97,12 +104,7 @@ impl<T: Real, C: Color<T> + Vector<T>> BelcourBarla<C, T> {
         substrate: [T; 2],
         outside: T,
     ) -> Result<Self, ParameterError> {
-        let color = |x: f64, y: f64, z: f64| {
-            let rgb = xyz_to_linear_srgb(glam::DVec3::new(x, y, z));
-            let white = xyz_to_linear_srgb(glam::DVec3::ONE);
-            C::new(T::lit(rgb.x / white.x), T::lit(rgb.y / white.y), T::lit(rgb.z / white.z))
-        };
-        let colors = [color(1.0, 0.0, 0.0), color(0.0, 1.0, 0.0), color(0.0, 0.0, 1.0)];
+        let colors = xyz_in_linear_srgb().map(|[r, g, b]| C::new(T::lit(r), T::lit(g), T::lit(b)));
         Self::with_colors(film, thickness, substrate, outside, colors)
     }
 }

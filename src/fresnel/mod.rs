@@ -23,6 +23,8 @@ pub use crate::polarization::Polarized;
 pub use amplitudes::PolarizedFresnel;
 pub use any::AnyFresnel;
 pub use belcour_barla::BelcourBarla;
+#[cfg(feature = "serde")]
+pub(crate) use belcour_barla::xyz_in_linear_srgb;
 pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
 pub use dielectric::{Dielectric, dielectric_polarized};

@@ -1,12 +1,9 @@
 //! The measured index of one material.
 
 use core::fmt;
-use core::ops::RangeInclusive;
+use core::ops::Deref;
 
-use super::samples::{RefractiveIndex, Sample, Samples};
-use crate::error::{ParameterError, Range};
-use crate::fresnel::{Conductor, Dielectric};
-use crate::real::{Color, Real};
+use super::constants::OpticalConstants;
 
 /// What a material is, and whether it is a good choice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -51,7 +48,8 @@ pub enum Form {
 
 /// A material whose index was measured: the table, and where that comes from.
 ///
-/// The statics of [`materials`](super) are all there are.
+/// The statics of [`materials`](super) are all there are. A material hands out the methods of its
+/// [`OpticalConstants`], of which one's own can be made.
 pub struct Material {
     pub(super) key: &'static str,
     pub(super) name: &'static str,
@@ -61,7 +59,7 @@ pub struct Material {
     pub(super) form: Form,
     pub(super) preparation: &'static str,
     pub(super) remark: Option<&'static str>,
-    pub(super) samples: Samples,
+    pub(super) constants: OpticalConstants,
 }
 
 impl Material {
@@ -124,102 +122,13 @@ impl Material {
     pub const fn remark(&self) -> Option<&'static str> {
         self.remark
     }
+}
 
-    /// The wavelengths in nanometres between which the index is known.
-    #[must_use]
-    pub fn range(&self) -> RangeInclusive<f64> {
-        let (lower, upper) = self.samples.range();
-        lower..=upper
-    }
+impl Deref for Material {
+    type Target = OpticalConstants;
 
-    /// The samples, by increasing wavelength.
-    pub fn samples(&self) -> impl ExactSizeIterator<Item = Sample> + DoubleEndedIterator {
-        self.samples.iter()
-    }
-
-    /// The index at a wavelength in nanometres, or at several: one for each channel of a colour.
-    /// Between samples n and k are interpolated linearly in the wavelength.
-    ///
-    /// ```
-    /// use brdf::Spectrum;
-    /// use brdf::materials::SILICON;
-    ///
-    /// let red = SILICON.refractive_index(658.0_f64)?;
-    /// assert!((red.eta - 3.8393).abs() < 1e-4 && (red.k - 0.01555).abs() < 1e-5);
-    /// let lines = SILICON.refractive_index(Spectrum([488.0_f32, 658.0]))?;
-    /// assert!((lines.eta.0[1] - 3.8393).abs() < 1e-4);
-    /// // A hair beyond the end of the range, 826.6 nm.
-    /// SILICON.refractive_index(295.2 + 100.0 * ((826.6 - 295.2) / 100.0))?;
-    /// # Ok::<(), brdf::ParameterError>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If a wavelength is not in [`range`](Self::range); one that lies beyond by rounding counts as its
-    /// end.
-    pub fn refractive_index<T, C>(
-        &self,
-        wavelength: C,
-    ) -> Result<RefractiveIndex<C>, ParameterError>
-    where
-        T: Real + Into<f64>,
-        C: Color<T>,
-    {
-        let (shortest, longest) = self.samples.range();
-        // What leaves the range by the rounding of a product or of a sum counts as its end.
-        let rounding = 4.0 * T::SPACING;
-        if let Some(value) =
-            wavelength.outside(shortest * (1.0 - rounding), longest * (1.0 + rounding))
-        {
-            Range::new(shortest, longest).check("wavelength", value)?;
-        }
-        let at = |wavelength: T| self.samples.interpolate(wavelength.into());
-        Ok(RefractiveIndex {
-            eta: wavelength.map(|wavelength| T::lit(at(wavelength).eta)),
-            k: wavelength.map(|wavelength| T::lit(at(wavelength).k)),
-        })
-    }
-
-    /// Fresnel's reflectance of the material in air at a wavelength in nanometres, or at several:
-    /// one for each channel of a colour.
-    ///
-    /// Three wavelengths as red, green and blue are a shortcut; [`Observer`](crate::Observer) has
-    /// the exact colour and the error of the shortcut.
-    ///
-    /// # Errors
-    /// If a wavelength is not in [`range`](Self::range).
-    pub fn conductor<T, C>(&self, wavelength: C) -> Result<Conductor<C>, ParameterError>
-    where
-        T: Real + Into<f64>,
-        C: Color<T>,
-    {
-        let RefractiveIndex { eta, k } = self.refractive_index(wavelength)?;
-        Conductor::new(eta, k)
-    }
-
-    /// Fresnel's reflectance of a transparent material in air at a wavelength in nanometres, or at
-    /// several: one for each channel of a colour. What k does to the reflectance, less than
-    /// 10⁻⁷ in all these sets, is left out.
-    ///
-    /// ```
-    /// use brdf::Fresnel;
-    /// use brdf::materials::{GOLD, find};
-    ///
-    /// let glass = find("N-BK7")?.dielectric(587.6_f64)?;
-    /// assert!((glass.reflectance(1.0) - 0.04216).abs() < 1e-5);
-    /// assert_eq!(GOLD.dielectric(700.0_f64).unwrap_err().parameter(), "k");
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If a wavelength is not in [`range`](Self::range), or k is above 10⁻³ there.
-    pub fn dielectric<T, C>(&self, wavelength: C) -> Result<Dielectric<C>, ParameterError>
-    where
-        T: Real + Into<f64>,
-        C: Color<T>,
-    {
-        let RefractiveIndex { eta, k } = self.refractive_index(wavelength)?;
-        Range::new(0.0, 1e-3).check("k", k)?;
-        Dielectric::new(eta)
+    fn deref(&self) -> &OpticalConstants {
+        &self.constants
     }
 }
 

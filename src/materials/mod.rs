@@ -1,6 +1,7 @@
-//! Measured refractive indices of metals, alloys, semiconductors and transparent media.
+//! Refractive indices of metals, alloys, semiconductors and transparent media over the wavelength:
+//! measured ones, and one's own.
 //!
-//! 74 sets of the complex index n + ik against the wavelength, from the ultraviolet to the near
+//! There are 74 sets of the complex index n + ik against the wavelength, from the ultraviolet to the near
 //! infrared, each with its source. They come from the refractiveindex.info database
 //! (commit ff11b5897ef0 of 2026-06-14), which is in the public domain (CC0 1.0); the sources in
 //! [`Material::citation`] deserve to be cited. Each set is a static of its own: a program carries
@@ -33,6 +34,29 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Materials of one's own
+//! [`OpticalConstants`] are made of samples, or of the text of a file: a table with commas, or a record of
+//! the refractiveindex.info database. They need no feature; the built-in sets are the feature
+//! `materials`. A [`Material`] hands out the same methods:
+//!
+//! ```
+//! use brdf::materials::{GOLD, OpticalConstants};
+//!
+//! fn red(metal: &OpticalConstants) -> Result<f64, brdf::ParameterError> {
+//!     Ok(metal.refractive_index(650.0)?.k)
+//! }
+//!
+//! let own = OpticalConstants::from_csv("wavelength_nm,n,k\n600,0.2,3\n700,0.1,4\n")?;
+//! assert_eq!(red(&own)?, 3.5);
+//! assert!((red(&GOLD)? - 3.6024).abs() < 1e-4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Under another medium
+//! [`conductor`](OpticalConstants::conductor) and [`dielectric`](OpticalConstants::dielectric) are seen from
+//! air, whose index counts as 1. Under water, or under a coat, the index that matters is the relative one:
+//! [`conductor_in`](OpticalConstants::conductor_in) and [`dielectric_in`](OpticalConstants::dielectric_in).
+//!
 //! # Second opinions
 //! Measurements of one metal differ by how it was made, polished and oxidised. Where the
 //! collection holds two sets, of a metal or of a transparent medium, the key without an author and
@@ -48,13 +72,23 @@
 //! [`Kind::Caution`], and [`Material::remark`] and their pages say what is wrong with them.
 //! Crystals have one set for the ordinary and one for the extraordinary ray.
 
+mod constants;
+#[cfg(feature = "materials")]
 mod lookup;
+#[cfg(feature = "materials")]
 mod material;
-mod samples;
+#[cfg(feature = "materials")]
+mod packed;
+#[cfg(feature = "materials")]
 #[rustfmt::skip]
 mod sets;
+mod text;
 
+pub use constants::{OpticalConstants, RefractiveIndex, Sample};
+#[cfg(feature = "materials")]
 pub use lookup::{LookupError, find};
+#[cfg(feature = "materials")]
 pub use material::{Form, Kind, Material};
-pub use samples::{RefractiveIndex, Sample};
+#[cfg(feature = "materials")]
 pub use sets::*;
+pub use text::{TextError, TextProblem};

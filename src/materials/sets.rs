@@ -1,7 +1,7 @@
 // Made of `data/ior` and `data/notes.csv` by `tests/materials/generate.rs`; not to be edited.
 
+use super::constants::OpticalConstants;
 use super::material::{Form, Kind, Material};
-use super::samples::Samples;
 
 /// Silver, 292.4 to 1088 nm.
 ///
@@ -15,7 +15,7 @@ pub static SILVER: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Ag.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Ag.bin")),
 };
 
 /// Aluminium, 247.97 to 1033.2 nm.
@@ -30,7 +30,7 @@ pub static ALUMINIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Al.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Al.bin")),
 };
 
 /// Gold, 292.4 to 1088 nm.
@@ -45,7 +45,7 @@ pub static GOLD: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Au.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Au.bin")),
 };
 
 /// Beryllium, 292.88 to 1020.8 nm.
@@ -62,7 +62,7 @@ pub static BERYLLIUM: Material = Material {
     form: Form::Table,
     preparation: "table of a Brendel-Bormann model",
     remark: Some("values of a model fitted to several measurements and not samples of one"),
-    samples: Samples::new(include_bytes!("samples/Be.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Be.bin")),
 };
 
 /// Cobalt, 292 to 1088 nm.
@@ -77,7 +77,7 @@ pub static COBALT: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Co.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Co.bin")),
 };
 
 /// Chromium, 292 to 1088 nm.
@@ -92,7 +92,7 @@ pub static CHROMIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Cr.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Cr.bin")),
 };
 
 /// Copper, 292.4 to 1088 nm.
@@ -107,7 +107,7 @@ pub static COPPER: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Cu.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Cu.bin")),
 };
 
 /// Iron, 292 to 1088 nm.
@@ -122,7 +122,7 @@ pub static IRON: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Fe.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Fe.bin")),
 };
 
 /// Mercury (liquid), 295.2 to 1033.2 nm.
@@ -137,7 +137,7 @@ pub static MERCURY_LIQUID: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Hg.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Hg.bin")),
 };
 
 /// Potassium, 312.539 to 1009.64 nm.
@@ -152,7 +152,7 @@ pub static POTASSIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/K.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/K.bin")),
 };
 
 /// Magnesium, 299.511 to 1011.45 nm.
@@ -167,7 +167,7 @@ pub static MAGNESIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Mg.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Mg.bin")),
 };
 
 /// Manganese, 292 to 1088 nm.
@@ -182,7 +182,7 @@ pub static MANGANESE: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Mn.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Mn.bin")),
 };
 
 /// Molybdenum, 289 to 1100 nm.
@@ -197,7 +197,7 @@ pub static MOLYBDENUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Mo.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Mo.bin")),
 };
 
 /// Sodium, 326 to 1033 nm.
@@ -212,7 +212,7 @@ pub static SODIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Na.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Na.bin")),
 };
 
 /// Niobium, 293.6 to 862.1 nm.
@@ -229,7 +229,7 @@ pub static NIOBIUM: Material = Material {
     form: Form::Table,
     preparation: "samples read off a figure",
     remark: Some("the source shows a figure that was digitised"),
-    samples: Samples::new(include_bytes!("samples/Nb.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Nb.bin")),
 };
 
 /// Nickel, 292 to 1088 nm.
@@ -244,7 +244,7 @@ pub static NICKEL: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Ni.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Ni.bin")),
 };
 
 /// Lead, 344.4 to 1033.2 nm.
@@ -259,7 +259,7 @@ pub static LEAD: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Pb.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Pb.bin")),
 };
 
 /// Palladium, 292 to 1088 nm.
@@ -274,7 +274,7 @@ pub static PALLADIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Pd.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Pd.bin")),
 };
 
 /// Platinum, 295.96 to 1001.3 nm.
@@ -291,7 +291,7 @@ pub static PLATINUM: Material = Material {
     form: Form::Table,
     preparation: "table of a Brendel-Bormann model",
     remark: Some("values of a model fitted to several measurements and not samples of one"),
-    samples: Samples::new(include_bytes!("samples/Pt.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Pt.bin")),
 };
 
 /// Rhodium, 295.2 to 1033 nm.
@@ -306,7 +306,7 @@ pub static RHODIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Rh.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Rh.bin")),
 };
 
 /// Tantalum, 291.728 to 1239.84 nm.
@@ -323,7 +323,7 @@ pub static TANTALUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: Some("from electron energy loss spectra; R about 0.84 in the visible against about 0.36-0.45 in Palik: do not use for colour"),
-    samples: Samples::new(include_bytes!("samples/Ta.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Ta.bin")),
 };
 
 /// Titanium, 292 to 1088 nm.
@@ -338,7 +338,7 @@ pub static TITANIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Ti.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Ti.bin")),
 };
 
 /// Vanadium, 292 to 1088 nm.
@@ -353,7 +353,7 @@ pub static VANADIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/V.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/V.bin")),
 };
 
 /// Tungsten, 297.9 to 1005 nm.
@@ -370,7 +370,7 @@ pub static TUNGSTEN: Material = Material {
     form: Form::Table,
     preparation: "samples read off a figure",
     remark: Some("the source shows a figure that was digitised"),
-    samples: Samples::new(include_bytes!("samples/W.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/W.bin")),
 };
 
 /// Zinc, 360 to 1040 nm.
@@ -387,7 +387,7 @@ pub static ZINC: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: Some("n reaches 13.9 at 560 nm, where the reflectance falls from 0.77 at normal incidence to 0.50 at 86 degrees, further than that of any other metal: do not use for colour"),
-    samples: Samples::new(include_bytes!("samples/Zn.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Zn.bin")),
 };
 
 /// Brass (70% Cu, 30% Zn), 290 to 1010 nm.
@@ -402,7 +402,7 @@ pub static BRASS_70_CU_30_ZN: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/brass_Cu70Zn30.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/brass_Cu70Zn30.bin")),
 };
 
 /// Red brass (85% Cu, 15% Zn), 290 to 1010 nm.
@@ -417,7 +417,7 @@ pub static RED_BRASS_85_CU_15_ZN: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/brass_Cu85Zn15.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/brass_Cu85Zn15.bin")),
 };
 
 /// Stainless steel (austenitic), 280 to 1020 nm.
@@ -434,7 +434,7 @@ pub static STAINLESS_STEEL_AUSTENITIC: Material = Material {
     form: Form::Table,
     preparation: "samples read off a figure",
     remark: Some("the source shows a figure that was digitised"),
-    samples: Samples::new(include_bytes!("samples/stainless_steel.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/stainless_steel.bin")),
 };
 
 /// Gold-silver alloy (50/50), 299 to 1001 nm.
@@ -451,7 +451,7 @@ pub static GOLD_SILVER_ALLOY_50_50: Material = Material {
     form: Form::Table,
     preparation: "table of an analytic model",
     remark: Some("values of an analytic model of alloys of gold and silver and not of a measured sample"),
-    samples: Samples::new(include_bytes!("samples/electrum_Au50Ag50.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/electrum_Au50Ag50.bin")),
 };
 
 /// Silver (McPeak 2015), 300 to 1010 nm.
@@ -466,7 +466,7 @@ pub static SILVER_MCPEAK_2015: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Ag_mcpeak.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Ag_mcpeak.bin")),
 };
 
 /// Aluminium (McPeak 2015), 295 to 1005 nm.
@@ -481,7 +481,7 @@ pub static ALUMINIUM_MCPEAK_2015: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Al_mcpeak.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Al_mcpeak.bin")),
 };
 
 /// Gold (McPeak 2015), 300 to 1010 nm.
@@ -496,7 +496,7 @@ pub static GOLD_MCPEAK_2015: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Au_mcpeak.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Au_mcpeak.bin")),
 };
 
 /// Copper (McPeak 2015), 300 to 1010 nm.
@@ -511,7 +511,7 @@ pub static COPPER_MCPEAK_2015: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Cu_mcpeak.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Cu_mcpeak.bin")),
 };
 
 /// Molybdenum (Querry 1987), 280 to 1020 nm.
@@ -526,7 +526,7 @@ pub static MOLYBDENUM_QUERRY_1987: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Mo_querry.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Mo_querry.bin")),
 };
 
 /// Platinum (Tselin), 299.285 to 1001.36 nm.
@@ -541,7 +541,7 @@ pub static PLATINUM_TSELIN: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Pt_tselin.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Pt_tselin.bin")),
 };
 
 /// Chromium (Sytchkova), 299.54 to 1015.6 nm.
@@ -556,7 +556,7 @@ pub static CHROMIUM_SYTCHKOVA: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Cr_sytchkova.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Cr_sytchkova.bin")),
 };
 
 /// Titanium (Rakic 1998 BB), 293.87 to 1012.9 nm.
@@ -573,7 +573,7 @@ pub static TITANIUM_RAKIC_1998_BB: Material = Material {
     form: Form::Table,
     preparation: "table of a Brendel-Bormann model",
     remark: Some("values of a model fitted to several measurements and not samples of one"),
-    samples: Samples::new(include_bytes!("samples/Ti_rakic.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Ti_rakic.bin")),
 };
 
 /// Tungsten (Rakic 1998 BB), 295.96 to 1001.3 nm.
@@ -590,7 +590,7 @@ pub static TUNGSTEN_RAKIC_1998_BB: Material = Material {
     form: Form::Table,
     preparation: "table of a Brendel-Bormann model",
     remark: Some("values of a model fitted to several measurements and not samples of one"),
-    samples: Samples::new(include_bytes!("samples/W_rakic.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/W_rakic.bin")),
 };
 
 /// Silicon, 295.2 to 826.6 nm.
@@ -605,7 +605,7 @@ pub static SILICON: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Si.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Si.bin")),
 };
 
 /// Germanium, 295.2 to 826.6 nm.
@@ -620,7 +620,7 @@ pub static GERMANIUM: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/Ge.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/Ge.bin")),
 };
 
 /// Air (standard), 300 to 1000 nm.
@@ -635,7 +635,7 @@ pub static AIR_STANDARD: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 6 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/air.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/air.bin")),
 };
 
 /// Water (Hale & Querry 1973), 275 to 1200 nm.
@@ -650,7 +650,7 @@ pub static WATER_HALE_QUERRY_1973: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/water.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/water.bin")),
 };
 
 /// Water 20 C (Daimon 2007), 300 to 1000 nm.
@@ -665,7 +665,7 @@ pub static WATER_20_C_DAIMON_2007: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/water_daimon.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/water_daimon.bin")),
 };
 
 /// Ice (Warren & Brandt 2008), 250 to 1010 nm.
@@ -680,7 +680,7 @@ pub static ICE_WARREN_BRANDT_2008: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/ice.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/ice.bin")),
 };
 
 /// N-BK7 glass (Schott), 300 to 1000 nm.
@@ -695,7 +695,7 @@ pub static N_BK7_GLASS_SCHOTT: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; k interpolated from its table",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/BK7.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/BK7.bin")),
 };
 
 /// SF11 glass (Schott, leaded), 390 to 1000 nm.
@@ -712,7 +712,7 @@ pub static SF11_GLASS_SCHOTT_LEADED: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; k interpolated from its table",
     remark: Some("starts at 390 nm"),
-    samples: Samples::new(include_bytes!("samples/SF11.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/SF11.bin")),
 };
 
 /// N-SF11 glass (Schott), 370 to 1000 nm.
@@ -727,7 +727,7 @@ pub static N_SF11_GLASS_SCHOTT: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; k interpolated from its table",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/N-SF11.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/N-SF11.bin")),
 };
 
 /// Soda-lime window glass, clear, 310 to 1000 nm.
@@ -742,7 +742,7 @@ pub static SODA_LIME_WINDOW_GLASS_CLEAR: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 5 evaluated every 5 nm; k interpolated from its table",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/soda_lime.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/soda_lime.bin")),
 };
 
 /// Fused silica, 300 to 1000 nm.
@@ -757,7 +757,7 @@ pub static FUSED_SILICA: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/fused_silica.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/fused_silica.bin")),
 };
 
 /// Quartz, ordinary ray, 300 to 1000 nm.
@@ -772,7 +772,7 @@ pub static QUARTZ_ORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/quartz_o.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/quartz_o.bin")),
 };
 
 /// Quartz, extraordinary ray, 300 to 1000 nm.
@@ -787,7 +787,7 @@ pub static QUARTZ_EXTRAORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/quartz_e.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/quartz_e.bin")),
 };
 
 /// Sapphire, ordinary ray, 300 to 1000 nm.
@@ -802,7 +802,7 @@ pub static SAPPHIRE_ORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/sapphire_o.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/sapphire_o.bin")),
 };
 
 /// Sapphire, extraordinary ray, 300 to 1000 nm.
@@ -817,7 +817,7 @@ pub static SAPPHIRE_EXTRAORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/sapphire_e.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/sapphire_e.bin")),
 };
 
 /// Diamond (Phillip & Taft 1964), 295.2 to 1033.2 nm.
@@ -832,7 +832,7 @@ pub static DIAMOND_PHILLIP_TAFT_1964: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/diamond.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/diamond.bin")),
 };
 
 /// Diamond (Peter 1923), 300 to 760 nm.
@@ -849,7 +849,7 @@ pub static DIAMOND_PETER_1923: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("ends at 760 nm"),
-    samples: Samples::new(include_bytes!("samples/diamond_peter.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/diamond_peter.bin")),
 };
 
 /// Sodium chloride (halite), 300 to 1000 nm.
@@ -864,7 +864,7 @@ pub static SODIUM_CHLORIDE_HALITE: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/NaCl.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/NaCl.bin")),
 };
 
 /// Potassium chloride, 300 to 1000 nm.
@@ -879,7 +879,7 @@ pub static POTASSIUM_CHLORIDE: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/KCl.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/KCl.bin")),
 };
 
 /// Fluorite, 300 to 1000 nm.
@@ -894,7 +894,7 @@ pub static FLUORITE: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/CaF2.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/CaF2.bin")),
 };
 
 /// Magnesium fluoride, ordinary ray, 300 to 1000 nm.
@@ -909,7 +909,7 @@ pub static MAGNESIUM_FLUORIDE_ORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/MgF2_o.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/MgF2_o.bin")),
 };
 
 /// Magnesium fluoride, extraordinary ray, 300 to 1000 nm.
@@ -924,7 +924,7 @@ pub static MAGNESIUM_FLUORIDE_EXTRAORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/MgF2_e.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/MgF2_e.bin")),
 };
 
 /// Calcite, ordinary ray, 300 to 1000 nm.
@@ -939,7 +939,7 @@ pub static CALCITE_ORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/calcite_o.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/calcite_o.bin")),
 };
 
 /// Calcite, extraordinary ray, 300 to 1000 nm.
@@ -954,7 +954,7 @@ pub static CALCITE_EXTRAORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/calcite_e.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/calcite_e.bin")),
 };
 
 /// Rutile, ordinary ray, 430 to 1000 nm.
@@ -971,7 +971,7 @@ pub static RUTILE_ORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 4 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 430 nm"),
-    samples: Samples::new(include_bytes!("samples/TiO2_o.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/TiO2_o.bin")),
 };
 
 /// Rutile, extraordinary ray, 430 to 1000 nm.
@@ -988,7 +988,7 @@ pub static RUTILE_EXTRAORDINARY_RAY: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 4 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 430 nm"),
-    samples: Samples::new(include_bytes!("samples/TiO2_e.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/TiO2_e.bin")),
 };
 
 /// Titanium dioxide thin film (ALD), 298.426 to 1005.39 nm.
@@ -1003,7 +1003,7 @@ pub static TITANIUM_DIOXIDE_THIN_FILM_ALD: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/TiO2_film.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/TiO2_film.bin")),
 };
 
 /// Zinc sulfide, 405 to 1000 nm.
@@ -1020,7 +1020,7 @@ pub static ZINC_SULFIDE: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 4 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 405 nm"),
-    samples: Samples::new(include_bytes!("samples/ZnS.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/ZnS.bin")),
 };
 
 /// Acrylic (PMMA), 405 to 1000 nm.
@@ -1037,7 +1037,7 @@ pub static ACRYLIC_PMMA: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 405 nm"),
-    samples: Samples::new(include_bytes!("samples/PMMA.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/PMMA.bin")),
 };
 
 /// Acrylic (PMMA), Sultanova 2009, 440 to 1000 nm.
@@ -1054,7 +1054,7 @@ pub static ACRYLIC_PMMA_SULTANOVA_2009: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 440 nm"),
-    samples: Samples::new(include_bytes!("samples/PMMA_sultanova.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/PMMA_sultanova.bin")),
 };
 
 /// Polycarbonate, 400 to 1010 nm.
@@ -1071,7 +1071,7 @@ pub static POLYCARBONATE: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: Some("starts at 400 nm"),
-    samples: Samples::new(include_bytes!("samples/polycarbonate.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/polycarbonate.bin")),
 };
 
 /// Polycarbonate, Sultanova 2009, 440 to 1000 nm.
@@ -1088,7 +1088,7 @@ pub static POLYCARBONATE_SULTANOVA_2009: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 440 nm"),
-    samples: Samples::new(include_bytes!("samples/polycarbonate_sultanova.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/polycarbonate_sultanova.bin")),
 };
 
 /// Polystyrene, 400 to 1010 nm.
@@ -1105,7 +1105,7 @@ pub static POLYSTYRENE: Material = Material {
     form: Form::Table,
     preparation: "original samples",
     remark: Some("starts at 400 nm"),
-    samples: Samples::new(include_bytes!("samples/polystyrene.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/polystyrene.bin")),
 };
 
 /// Polystyrene, Sultanova 2009, 440 to 1000 nm.
@@ -1122,7 +1122,7 @@ pub static POLYSTYRENE_SULTANOVA_2009: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 440 nm"),
-    samples: Samples::new(include_bytes!("samples/polystyrene_sultanova.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/polystyrene_sultanova.bin")),
 };
 
 /// Acetone, 400 to 1000 nm.
@@ -1139,7 +1139,7 @@ pub static ACETONE: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 1 evaluated every 5 nm; no k in the set, written as 0",
     remark: Some("starts at 400 nm"),
-    samples: Samples::new(include_bytes!("samples/acetone.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/acetone.bin")),
 };
 
 /// Ethanol, 300 to 1000 nm.
@@ -1154,7 +1154,7 @@ pub static ETHANOL: Material = Material {
     form: Form::Formula,
     preparation: "dispersion formula 2 evaluated every 5 nm; k interpolated from its table",
     remark: None,
-    samples: Samples::new(include_bytes!("samples/ethanol.bin")),
+    constants: OpticalConstants::packed(include_bytes!("samples/ethanol.bin")),
 };
 
 /// All materials: metals, alloys, second opinions on metals, semiconductors, dielectrics.

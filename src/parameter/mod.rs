@@ -2,7 +2,7 @@
 
 mod model;
 
-use crate::error::Range;
+use crate::error::{Range, range};
 pub(crate) use model::model;
 
 /// A parameter of a model, as the table of the model has it.
@@ -43,8 +43,17 @@ pub enum Kind {
     /// A refractive index: the real part, or the real and the imaginary part.
     Index(Range, Range),
     /// The refractive index of a medium: a real number, a real and an imaginary part, those of each
-    /// channel, or that of a measured material.
+    /// channel, or that of a measured material or of samples.
     Medium(Range, Range),
+    /// The index of a transparent medium: a number, or a list of so many if that is above 1, or that of a
+    /// measured material or of samples.
+    RealIndex(Range, usize),
+    /// The same, relative to what is around it: a material and samples may have an index outside.
+    RelativeIndex(Range, usize),
+    /// The name of a measured metal, or an object with a material or samples and the index outside.
+    Metal,
+    /// A list of samples of the optical constants, each a wavelength in nanometres, n and k.
+    Samples,
     /// A list of objects, each with a key for each parameter.
     List(&'static [Parameter]),
     /// True or false.
@@ -104,6 +113,12 @@ impl Parameter {
     pub(crate) const fn or(self, default: Preset) -> Self {
         Self { default: Some(default), ..self }
     }
+
+    /// This parameter of another kind.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn of(self, kind: Kind) -> Self {
+        Self { kind, ..self }
+    }
 }
 
 impl Kind {
@@ -113,8 +128,14 @@ impl Kind {
         match self {
             Self::Number(_) => 1,
             Self::Roughness(_) | Self::Index(..) | Self::Medium(..) => 2,
-            Self::Color(_) => 3,
-            Self::List(_) | Self::Flag | Self::Word(_) | Self::Text | Self::Part(_) => 0,
+            Self::Color(_) | Self::Samples => 3,
+            Self::RealIndex(_, most) | Self::RelativeIndex(_, most) => most,
+            Self::List(_)
+            | Self::Flag
+            | Self::Word(_)
+            | Self::Text
+            | Self::Metal
+            | Self::Part(_) => 0,
         }
     }
 
@@ -123,11 +144,19 @@ impl Kind {
     pub const fn range(self, index: usize) -> Option<Range> {
         match self {
             Self::Index(_, k) | Self::Medium(_, k) if index == 1 => Some(k),
+            Self::Samples => match index {
+                0 => Some(range::WAVELENGTH),
+                1 => Some(range::ETA),
+                2 => Some(range::K),
+                _ => None,
+            },
             Self::Number(range)
             | Self::Color(range)
             | Self::Roughness(range)
             | Self::Index(range, _)
             | Self::Medium(range, _)
+            | Self::RealIndex(range, _)
+            | Self::RelativeIndex(range, _)
                 if index < self.most() =>
             {
                 Some(range)

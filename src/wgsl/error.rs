@@ -4,9 +4,9 @@ use alloc::string::String;
 use core::error::Error;
 use core::fmt;
 
+use super::parameters::Binding;
 #[cfg(feature = "serde")]
 use crate::description::DescriptionError;
-use super::parameters::Binding;
 use crate::error::ParameterError;
 
 /// What keeps a function from being written.

@@ -376,7 +376,8 @@ fn errors_say_what_and_where_and_what_is_allowed() {
         ),
         (
             r#"{"surface": {"interface": {"to": "Au"}}, "cos": 1}"#,
-            "surface: an index is n, [n, k], {\"eta\": n, \"k\": k} or {\"material\": \"Au\"}",
+            "surface: an index is n, [n, k], {\"eta\": n, \"k\": k}, {\"material\": \"Au\"} or \
+             {\"samples\": [[nm, n, k], …]}",
         ),
         (
             r#"{"surface": {"interface": {"to": {"material": "Xx"}}}, "cos": 1}"#,

@@ -6,13 +6,18 @@ use brdf::description::{BrdfDescription, DistributionDescription, FresnelDescrip
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-pub(crate) const FRESNEL: [&str; 18] = [
+pub(crate) const FRESNEL: [&str; 23] = [
     r#"{"constant":0.5}"#,
     r#"{"constant":[0.25,0.5,1]}"#,
     r#"{"dielectric":{"ior":1.5}}"#,
     r#"{"dielectric":{"ior":[0.7,1.5,1.6]}}"#,
     r#"{"conductor":{"eta":[0.14,0.43,1.38],"k":[3.7,2.5,1.9]}}"#,
     r#"{"metal":"Au"}"#,
+    r#"{"metal":{"material":"silver","outside":1.5}}"#,
+    r#"{"metal":{"samples":[[450,1.4,1.9],[550,0.4,2.5],[650,0.2,3.6]],"outside":{"material":"water"}}}"#,
+    r#"{"dielectric":{"ior":{"material":"BK7"}}}"#,
+    r#"{"dielectric":{"ior":{"samples":[[400,1.55,0],[700,1.5,1e-7]],"outside":[1.3,1.31,1.32]}}}"#,
+    r#"{"stack":{"layers":[{"index":{"samples":[[400,2.6,0.1],[700,2.4,0]]},"thickness":40}],"substrate":{"material":"Ti"}}}"#,
     r#"{"schlick":{"f0":[0.9,0.6,0.3]}}"#,
     r#"{"schlick":{"f0":0.04,"f90":[0.9,0.6,0.3],"exponent":3}}"#,
     r#"{"hall":{"f0":[0.9,0.6,0.3]}}"#,

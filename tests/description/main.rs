@@ -12,6 +12,7 @@ mod optics;
 #[path = "../../examples/evaluate/question.rs"]
 mod question;
 mod refusals;
+mod spectra;
 #[path = "../../examples/evaluate/stream.rs"]
 mod stream;
 mod tables;

@@ -64,7 +64,7 @@ fn example(parameter: &Parameter) -> Value {
         }
         Kind::Flag => json!(true),
         Kind::Word(words) => json!(words[0]),
-        Kind::Text => json!("Au"),
+        Kind::Text | Kind::Metal => json!("Au"),
         _ => json!(inside(0)),
     }
 }
@@ -177,6 +177,31 @@ fn every_number_has_its_range() {
     assert!(refused > 300, "{refused}");
 }
 
+/// Samples that are none, and a material that is not known.
+fn refuse_samples(refuse: &impl Fn(Value, &str)) {
+    let nothing = ".samples: number of samples must be at least 2, not 0";
+    refuse(json!({"samples": []}), nothing);
+    refuse(
+        json!({"samples": 1}),
+        ".samples: invalid type: integer `1`, expected a list of samples",
+    );
+    for (second, message) in [
+        (json!(500), "[1]: invalid type: integer `500`, expected a"),
+        (json!([500, 1.5]), "[1]: invalid length 2, expected a"),
+        (json!([500, 1.5, 0, 0]), "[1]: invalid length, more than 3, expected a"),
+        (json!([500, 1.5, -1]), "[1][2] must be between 0 and 10000, not -1"),
+        (json!([500, 0, 0]), "[1][1] must be between 0.0001 and 10000, not 0"),
+        (json!([400, 1.5, 0]), "[1][0] must be above 400, the one before it, not 400"),
+    ] {
+        refuse(json!({"samples": [[400, 1.5, 0], second]}), &format!(".samples{message}"));
+    }
+    refuse(json!({"material": "Xx"}), ".material: no material is called \"Xx\"");
+    let short = json!({"samples": [[600, 1.5, 0], [700, 1.5, 0]]});
+    refuse(short, ".samples: wavelength must be between 600 and 700, not ");
+    let both = json!({"material": "BK7", "samples": [[400, 1.5, 0], [700, 1.5, 0]]});
+    refuse(both, ".samples: `material` and `samples` exclude each other");
+}
+
 #[test]
 fn every_value_has_its_type() {
     each(|part, form, index, parameter| {
@@ -207,7 +232,7 @@ fn every_value_has_its_type() {
             }
             Kind::Medium(..) => {
                 let expected = "expected a number, a list of 2 numbers, or an object with the keys \
-                                `eta` and `k` or the key `material` at";
+                                `eta` and `k` or with the key `material` or `samples` at";
                 refuse(json!(null), &format!(": invalid type: null, {expected}"));
                 refuse(json!("Au"), &format!(": invalid type: string \"Au\", {expected}"));
                 refuse(
@@ -223,9 +248,49 @@ fn every_value_has_its_type() {
                 refuse(json!({"eta": 1}), ".k: this key is missing");
                 refuse(json!({"k": 1}), ".eta: this key is missing");
                 refuse(json!({"eta": 1, "k": [0, 0, -1]}), ".k[2] must be between 0 and 10000");
-                refuse(json!({"n": 1}), ".n: unknown name, expected one of `eta`, `k`, `material`");
+                refuse(
+                    json!({"n": 1}),
+                    ".n: unknown name, expected one of `eta`, `k`, `material`, ",
+                );
                 let both = json!({"eta": 1, "k": 0, "material": "Au"});
-                refuse(both, ".material: `material` must be the only key of its object");
+                refuse(both, ".material: `eta` and `material` exclude each other");
+                // Its index is the same at all wavelengths, and no material is.
+                if form.name() != "belcour_barla" {
+                    refuse_samples(&refuse);
+                }
+            }
+            Kind::RealIndex(_, most) | Kind::RelativeIndex(_, most) => {
+                let expected = match most {
+                    1 => "expected a number or an object with the key `material` or `samples` at",
+                    _ => {
+                        "expected a number, a list of 3 numbers, or an object with the key `material` or \
+                         `samples` at"
+                    }
+                };
+                refuse(json!("BK7"), &format!(": invalid type: string \"BK7\", {expected}"));
+                refuse(
+                    json!([1]),
+                    match most {
+                        1 => ": invalid type: sequence, expected a number or an object",
+                        _ => ": invalid length 1, expected a number or a list of 3 numbers at",
+                    },
+                );
+                refuse(
+                    json!({"eta": 1}),
+                    ".eta: unknown name, expected one of `material`, `samples`",
+                );
+                refuse(json!({"material": "Au"}), ".material: k must be between 0 and 0.001, not ");
+                refuse_samples(&refuse);
+            }
+            Kind::Metal => {
+                let expected =
+                    "expected a text or an object with the key `material` or `samples` at";
+                refuse(json!(0), &format!(": invalid type: integer `0`, {expected}"));
+                refuse(json!([1]), &format!(": invalid type: sequence, {expected}"));
+                refuse(json!({"outside": 1}), ".material: this key is missing");
+                let air = json!({"material": "Au", "outside": 0});
+                refuse(air, ".outside must be between 0.0001 and 10000, not 0");
+                refuse_samples(&refuse);
             }
             Kind::List(_) => {
                 refuse(json!(0), ": invalid type: integer `0`, expected a list of layers at");
@@ -328,7 +393,9 @@ fn any_value(parameter: &'static Parameter, depth: u32) -> BoxedStrategy<Value> 
             proptest::collection::vec(object, 0..3).prop_map(Value::from).boxed()
         }
         Kind::Flag => any::<bool>().prop_map(Value::from).boxed(),
-        Kind::Text => proptest::sample::select(vec!["Au", "copper"]).prop_map(Value::from).boxed(),
+        Kind::Text | Kind::Metal => {
+            proptest::sample::select(vec!["Au", "copper"]).prop_map(Value::from).boxed()
+        }
         // Smith's shadowing is not known for every distribution.
         Kind::Word(words) if parameter.name == "shadowing" => Just(json!(words[0])).boxed(),
         Kind::Word(words) => proptest::sample::select(words).prop_map(Value::from).boxed(),

@@ -12,8 +12,8 @@ use brdf_checks::tables::{Row, compare, header, rows};
 const HEADER: &str = "\
 // Made of `data/ior` and `data/notes.csv` by `tests/materials/generate.rs`; not to be edited.
 
+use super::constants::OpticalConstants;
 use super::material::{Form, Kind, Material};
-use super::samples::Samples;
 ";
 
 #[test]
@@ -117,7 +117,7 @@ pub static {}: Material = Material {{
     form: Form::{form},
     preparation: {},
     remark: {remark},
-    samples: Samples::new(include_bytes!(\"samples/{key}.bin\")),
+    constants: OpticalConstants::packed(include_bytes!(\"samples/{key}.bin\")),
 }};
 ",
             documentation(citation),

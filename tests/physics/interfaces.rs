@@ -7,8 +7,8 @@ use std::f64::consts::{PI, TAU};
 use brdf::description::{BsdfDescription, forms};
 use brdf::parameter::Part;
 use brdf::{
-    AnyBsdf, Brdf, Bsdf, BsdfSample, ClassicPhong, Frame, Ggx, Lobe, Opaque, RoughDielectric, SmithSeparable, TransportMode,
-    TwoSided, from_spherical,
+    AnyBsdf, Brdf, Bsdf, BsdfSample, ClassicPhong, Frame, Ggx, Lobe, Opaque, RoughDielectric,
+    SmithSeparable, TransportMode, TwoSided, from_spherical,
 };
 use brdf_checks::measure::sampling::chi_squared::{compare, least_of};
 use glam::{DVec2, DVec3, Vec3};
@@ -417,10 +417,14 @@ fn a_beam_meets_a_model_that_is_not_reciprocal_the_other_way() {
     for theta in [0.2, 0.5, 0.9, 1.2] {
         let wo: DVec3 = from_spherical(theta, 0.0);
         for u in draws(1000) {
-            let BsdfSample { wi, weight, pdf, .. } = opaque.sample(wo, u, TransportMode::Importance);
+            let BsdfSample { wi, weight, pdf, .. } =
+                opaque.sample(wo, u, TransportMode::Importance);
             if pdf > 0.0 {
                 let value = opaque.eval(wi, wo, TransportMode::Importance);
-                assert!((value * wi.z / pdf - weight).length() <= 1e-14 * weight.length(), "{wo} {wi}");
+                assert!(
+                    (value * wi.z / pdf - weight).length() <= 1e-14 * weight.length(),
+                    "{wo} {wi}"
+                );
             }
         }
         const N: u32 = 600;

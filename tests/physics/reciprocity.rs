@@ -17,7 +17,12 @@ macro_rules! reciprocity {
             for entry in $models {
                 let found = reciprocity(&*entry.model, &pairs, f64::from($float::EPSILON));
                 println!("{:45} {found:?}", entry.name);
-                assert_eq!(entry.model.is_reciprocal(), entry.promises.reciprocal, "{}", entry.name);
+                assert_eq!(
+                    entry.model.is_reciprocal(),
+                    entry.promises.reciprocal,
+                    "{}",
+                    entry.name
+                );
                 if entry.promises.reciprocal {
                     assert!(found.ulp == 0.0, "{}: {found:?}", entry.name);
                 } else {

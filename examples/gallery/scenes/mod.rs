@@ -2,6 +2,7 @@
 
 mod diffuse;
 mod fresnel;
+mod glass;
 mod lobes;
 mod microfacet;
 mod showpiece;
@@ -32,6 +33,7 @@ type Made<'a> = Result<Scene<'a>, Box<dyn Error>>;
 pub fn all(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     let mut scenes = Vec::new();
     scenes.extend(showpiece::scenes(square)?);
+    scenes.extend(glass::scenes(square)?);
     scenes.extend(diffuse::scenes(square)?);
     scenes.extend(lobes::scenes(square)?);
     scenes.extend(microfacet::scenes(square)?);
