@@ -2,6 +2,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::description::DescriptionError;
+use crate::error::ParameterError;
 
 /// Why a description could not be fitted.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,12 +21,45 @@ pub enum FitError {
         /// The numbers.
         free: usize,
     },
-    /// A measured value, a weight or a direction is not finite.
-    NotFinite,
+    /// A measurement with which nothing can be compared.
+    Measured {
+        /// Where in the list it stands, counted from 0.
+        index: usize,
+        /// What is wrong with it.
+        problem: Unfit,
+    },
     /// The numbers do not build what is described.
     Description(DescriptionError),
-    /// The solver gave up, and why.
-    Solver(String),
+}
+
+/// What is wrong with a measurement.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Unfit {
+    /// A value, a weight or a cosine out of its range.
+    Number(ParameterError),
+    /// No direction: its squared length is not 1, within 1 %.
+    NoDirection {
+        /// Which of both.
+        direction: &'static str,
+        /// Its squared length.
+        error: ParameterError,
+    },
+    /// A direction that does not lie above the surface, where a BRDF has no value.
+    Below {
+        /// Which of both.
+        direction: &'static str,
+    },
+}
+
+impl fmt::Display for Unfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(error) => error.fmt(f),
+            Self::NoDirection { direction, error } => write!(f, "{direction}: {error}"),
+            Self::Below { direction } => write!(f, "{direction} must lie above the surface"),
+        }
+    }
 }
 
 impl fmt::Display for FitError {
@@ -39,9 +73,8 @@ impl fmt::Display for FitError {
             Self::TooFew { measured, free } => {
                 write!(f, "{measured} measured values are too few for {free} numbers")
             }
-            Self::NotFinite => f.write_str("what was measured must be finite"),
+            Self::Measured { index, problem } => write!(f, "measured[{index}]: {problem}"),
             Self::Description(error) => error.fmt(f),
-            Self::Solver(reason) => write!(f, "the fit did not converge: {reason}"),
         }
     }
 }

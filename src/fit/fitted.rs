@@ -4,11 +4,16 @@ use nalgebra::DMatrix;
 
 use super::error::FitError;
 use super::measured::Fittable;
-use super::solve::Problem;
+use super::problem::Problem;
+use super::solve::End;
 
 /// The singular values of the derivatives, each column of length 1, below which they have no
 /// digits left: numbers that act together as one.
 const ALIKE: f64 = 1e-7;
+
+/// What a number changes when it goes from one bound to the other at this speed, in parts of what was
+/// measured, is but rounding.
+const NOTHING: f64 = 1e-13;
 
 /// A description that fits, and how well its numbers are known.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,6 +21,7 @@ pub struct Fitted<D> {
     description: D,
     parameters: Vec<FittedParameter>,
     residual: f64,
+    minimum: bool,
     correlation: DMatrix<f64>,
 }
 
@@ -55,6 +61,15 @@ impl<D> Fitted<D> {
         self.residual
     }
 
+    /// Whether the fit ended at a minimum: every derivative of the residual is zero, or points out of the
+    /// bounds at which its number stands, as far as rounding lets one tell. If not, the solver ran out
+    /// of steps, or no step was left that the constructors of the models accept: the numbers are the best
+    /// that were found, and a fit from there, or from another start, may find better ones.
+    #[must_use]
+    pub const fn is_minimum(&self) -> bool {
+        self.minimum
+    }
+
     /// How much the errors of two free numbers go together, −1 … 1; 0 where one of them has none.
     #[must_use]
     pub fn correlation(&self, one: usize, other: usize) -> f64 {
@@ -63,18 +78,16 @@ impl<D> Fitted<D> {
 }
 
 impl<D: Fittable> Fitted<D> {
-    /// The end of a fit of `count` residuals.
-    pub(super) fn of(problem: &Problem<'_, D>, sum: f64, count: usize) -> Result<Self, FitError> {
-        let (mut values, _) = problem.values_and_slopes();
-        let derivatives = problem.derivatives(&values)?;
-        // A number that has no influence did not move from where the fit began, which is inside if the
-        // start is at a bound: it stays what it was. One that moved may have lost its influence.
-        let ends = problem.unbounded.iter().zip(problem.free);
-        for (value, (end, free)) in values.iter_mut().zip(ends) {
-            if *end == free.unbounded_start() {
-                *value = free.start;
-            }
-        }
+    /// The end of a fit of `count` residuals, which are in parts of the unit; the size is the sum of the
+    /// squares of what was measured.
+    pub(super) fn of(
+        problem: &Problem<'_, D>,
+        end: End,
+        count: usize,
+        [unit, size]: [f64; 2],
+    ) -> Result<Self, FitError> {
+        let End { place, minimum } = end;
+        let (values, slopes) = problem.values_and_slopes(&place.parts);
         let description = problem.description.changed(&|path, value| {
             let path = path.to_string();
             let place = problem.free.iter().position(|free| free.path == path);
@@ -86,8 +99,10 @@ impl<D: Fittable> Fitted<D> {
             .zip(&values)
             .map(|(free, value)| free.is_at_bound(*value))
             .collect();
-        let spread = (sum / count.saturating_sub(values.len()).max(1) as f64).sqrt();
-        let (errors, correlation) = errors(derivatives, &at_bound);
+        let spread = (place.sum / count.saturating_sub(values.len()).max(1) as f64).sqrt();
+        let least = NOTHING * size.sqrt();
+        let (errors, correlation) = errors(&place.derivatives, &at_bound, least);
+        let errors = errors.into_iter().zip(slopes).map(|(error, slope)| Some(error? * slope));
         let parameters = problem.free.iter().zip(values).zip(errors).zip(at_bound).map(
             |(((free, value), error), at_bound)| FittedParameter {
                 path: free.path.clone(),
@@ -99,39 +114,52 @@ impl<D: Fittable> Fitted<D> {
         Ok(Self {
             description,
             parameters: parameters.collect(),
-            residual: (sum / count as f64).sqrt(),
+            residual: (place.sum / count as f64).sqrt() * unit,
+            minimum,
             correlation,
         })
     }
 }
 
-/// √ of the diagonal of (JᵀJ)⁻¹, where it is known, and the correlations.
-fn errors(derivatives: DMatrix<f64>, held: &[bool]) -> (Vec<Option<f64>>, DMatrix<f64>) {
+/// √ of the diagonal of (JᵀJ)⁻¹, where it is known, and the correlations. `least` is the length of a
+/// derivative that is none.
+fn errors(
+    derivatives: &DMatrix<f64>,
+    held: &[bool],
+    least: f64,
+) -> (Vec<Option<f64>>, DMatrix<f64>) {
     let count = derivatives.ncols();
-    let lengths: Vec<f64> = derivatives.column_iter().map(|column| column.norm()).collect();
-    let moves = |place: usize| !held[place] && lengths[place] > 0.0;
-    let places: Vec<usize> = (0..count).filter(|place| moves(*place)).collect();
     let (mut errors, mut correlation) = (vec![None; count], DMatrix::zeros(count, count));
-    if places.is_empty() {
-        return (errors, correlation);
-    }
-    let columns: Vec<_> =
-        places.iter().map(|place| derivatives.column(*place) / lengths[*place]).collect();
-    // The roots of the eigenvalues of JᵀJ would have half the digits.
-    let decomposition = DMatrix::from_columns(&columns).svd(false, true);
-    let Some(directions) = decomposition.v_t else {
-        return (errors, correlation);
+    let lengths: Vec<f64> = derivatives.column_iter().map(|column| column.norm()).collect();
+    let decomposed = |places: &[usize]| {
+        let columns: Vec<_> =
+            places.iter().map(|place| derivatives.column(*place) / lengths[*place]).collect();
+        if columns.is_empty() {
+            return Vec::new();
+        }
+        // The roots of the eigenvalues of JᵀJ would have half the digits.
+        let decomposition = DMatrix::from_columns(&columns).svd(false, true);
+        let values = decomposition.singular_values;
+        let least = ALIKE * values.max();
+        let directions = decomposition.v_t.into_iter().flat_map(|directions| {
+            directions.row_iter().map(|row| row.transpose()).collect::<Vec<_>>()
+        });
+        let told = values.iter().map(|value| (*value > least).then_some(*value));
+        told.zip(directions).collect::<Vec<_>>()
     };
-    let largest = decomposition.singular_values.max();
-    let (mut covariance, mut alike) =
-        (DMatrix::zeros(places.len(), places.len()), vec![0.0; count]);
-    for (value, direction) in decomposition.singular_values.iter().zip(directions.row_iter()) {
-        if *value > ALIKE * largest {
-            covariance += direction.transpose() * direction / (value * value);
-        } else {
-            for (part, place) in direction.iter().zip(&places) {
-                alike[*place] += part * part;
-            }
+    let act: Vec<usize> = (0..count).filter(|place| lengths[*place] > least).collect();
+    // Also a number at its bound may act as one with others, and go back for them to go on.
+    let mut alike = vec![0.0; count];
+    for (_, direction) in decomposed(&act).iter().filter(|(value, _)| value.is_none()) {
+        for (part, place) in direction.iter().zip(&act) {
+            alike[*place] += part * part;
+        }
+    }
+    let places: Vec<usize> = act.into_iter().filter(|place| !held[*place]).collect();
+    let mut covariance = DMatrix::zeros(places.len(), places.len());
+    for (value, direction) in decomposed(&places) {
+        if let Some(value) = value {
+            covariance += &direction * direction.transpose() / (value * value);
         }
     }
     for (row, place) in places.iter().enumerate() {

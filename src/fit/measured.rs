@@ -2,22 +2,24 @@
 
 use glam::DVec3;
 
+use super::counting::{Counting, above, cosine, counting, size, value};
+use super::error::FitError;
 use crate::brdf::Brdf;
 use crate::description::{BrdfDescription, DescriptionError, FresnelDescription, Number, Path};
 use crate::fresnel::Fresnel;
 use crate::real::{Real, Vector};
 
-/// A measured value of f_r.
+/// A measured value of f_r, between two directions above the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// Towards the light.
     pub wi: DVec3,
     /// Towards the viewer.
     pub wo: DVec3,
-    /// f_r in sr⁻¹; where a colour is out of gamut, channels may be negative.
+    /// f_r in sr⁻¹, −10¹⁰⁰ … 10¹⁰⁰; where a colour is out of gamut, channels may be negative.
     pub value: DVec3,
-    /// How much each channel counts: what its residual is multiplied with, one over its standard
-    /// deviation if that is known; 0 leaves it out.
+    /// How much each channel counts, 0 … 10¹⁰⁰: what its residual is multiplied with, one over its
+    /// standard deviation if that is known; 0 leaves it out.
     pub weight: DVec3,
 }
 
@@ -32,7 +34,7 @@ impl Measured {
 /// A measured reflectance of a Fresnel term.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredReflectance {
-    /// The cosine of the angle of incidence.
+    /// The cosine of the angle of incidence, 0 … 1.
     pub cos: f64,
     /// The reflected part of unpolarised light.
     pub reflectance: DVec3,
@@ -100,9 +102,12 @@ pub trait Fittable: Clone {
         points: &[Self::Point],
         metric: Metric,
     ) -> Result<Vec<T>, DescriptionError>;
-    /// How many residuals count.
+    /// The measurements that count, once they are checked.
     #[doc(hidden)]
-    fn count(points: &[Self::Point]) -> usize;
+    fn counting(points: &[Self::Point]) -> Result<Counting<Self::Point>, FitError>;
+    /// The sum of the squares of what was measured, weighted, in the metric.
+    #[doc(hidden)]
+    fn size(points: &[Self::Point], metric: Metric) -> f64;
 }
 
 /// The channels of a colour.
@@ -127,10 +132,6 @@ fn residual<T: Real>(
         };
     }
     residuals
-}
-
-fn counting(weight: DVec3) -> usize {
-    weight.to_array().iter().filter(|weight| **weight != 0.0).count()
 }
 
 fn vector<T: Real>(w: DVec3) -> T::Vec3 {
@@ -165,8 +166,23 @@ impl Fittable for BrdfDescription {
         Ok(residuals.collect())
     }
 
-    fn count(points: &[Measured]) -> usize {
-        points.iter().map(|point| counting(point.weight)).sum()
+    fn counting(points: &[Measured]) -> Result<Counting<Measured>, FitError> {
+        counting(
+            points,
+            |point| &mut point.weight,
+            |point| {
+                above("wi", point.wi)?;
+                above("wo", point.wo)?;
+                value("value", point.value, point.weight)
+            },
+        )
+    }
+
+    fn size(points: &[Measured], metric: Metric) -> f64 {
+        size(points.iter().map(|point| {
+            let value = point.value.to_array().map(|value| metric.of_measured(value, point.wi.z));
+            (DVec3::from(value), point.weight)
+        }))
     }
 }
 
@@ -197,7 +213,18 @@ impl Fittable for FresnelDescription {
         Ok(residuals.collect())
     }
 
-    fn count(points: &[MeasuredReflectance]) -> usize {
-        points.iter().map(|point| counting(point.weight)).sum()
+    fn counting(points: &[MeasuredReflectance]) -> Result<Counting<MeasuredReflectance>, FitError> {
+        counting(
+            points,
+            |point| &mut point.weight,
+            |point| {
+                cosine(point.cos)?;
+                value("reflectance", point.reflectance, point.weight)
+            },
+        )
+    }
+
+    fn size(points: &[MeasuredReflectance], _: Metric) -> f64 {
+        size(points.iter().map(|point| (point.reflectance, point.weight)))
     }
 }

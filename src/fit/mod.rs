@@ -1,8 +1,8 @@
 //! Descriptions fitted to measured values (feature `fit`).
 //!
 //! Any number of any description can be free. The best values are those of least squares, by the
-//! method of Levenberg and Marquardt with exact [derivatives](crate::Dual), and come with their
-//! standard errors.
+//! method of Levenberg and Marquardt with exact [derivatives](crate::Dual) within the ranges of the
+//! parameters, and come with their standard errors.
 //!
 //! The n and k of a metal from its reflectance over the angle:
 //!
@@ -31,7 +31,11 @@
 //! where they do not: where a number has no influence, where it is at a bound, and where several
 //! numbers act as one.
 //!
-//! - The weight of a term and the colour of its model are one factor: free one of both.
+//! - The weight of a term and the colour of its model are one factor: free one of both. If both are free
+//!   their product is found, and neither has a standard error.
+//! - Only the ratios of the weights of a mixture of distributions count. If all are free their ratios are
+//!   found, none has a standard error, and their sum is what the solver came by.
+//! - Two terms that begin alike are told apart by rounding alone: give them different starts.
 //! - The reflectance of a metal at one angle is one equation for n and k. Over the angle it tells both, the
 //!   better the closer it comes to the minimum of R_p, about 70° to 80°; near normal incidence alone it
 //!   tells only their combination.
@@ -42,22 +46,38 @@
 //!   elsewhere; the fourth digit of σ below 0.1 is noise.
 //! - Colours of a diffuse and of a wide glossy term are told apart by what happens towards grazing.
 //!
-//! A fit finds a minimum near its start, which is the description: start from several and keep the
-//! one of the smallest [`residual`](Fitted::residual).
+//! # Where a fit ends
+//! At a minimum near its start, which is the description: start from several and keep the one of the
+//! smallest [`residual`](Fitted::residual). A start at a bound is as good as any other.
+//!
+//! Within the bounds the derivatives of the residual are zero; at a bound they point out of it, or the
+//! residual is no smaller at any of nine places from 10⁻⁹ to 10⁻¹ of the way to the other bound, by which
+//! a number is found that has no slope where it stands, as σ = 0. Where the search ends elsewhere,
+//! [`is_minimum`](Fitted::is_minimum) says so. Numbers that no constructor accepts together are no
+//! improvement to the solver, which stops before them: a sum with one weight, fitted to black, ends with
+//! a weight next to zero.
+//!
+//! # What is compared
+//! Both directions of a measurement must be [directions](crate::check_direction) above the surface: a BRDF
+//! has no value elsewhere, and what was measured there tells nothing about any number. Cosines lie in
+//! 0 … 1, values in −10¹⁰⁰ … 10¹⁰⁰, weights in 0 … 10¹⁰⁰. Anything else is an error that names the
+//! measurement. A channel of weight 0 is not looked at.
 
+mod counting;
 mod error;
+mod face;
 mod fitted;
 mod free;
 mod measured;
+mod problem;
 mod solve;
 
-use nalgebra::DVector;
-
-pub use error::FitError;
+use counting::Counting;
+pub use error::{FitError, Unfit};
 pub use fitted::{Fitted, FittedParameter};
 use free::Free;
 pub use measured::{Fittable, Measured, MeasuredReflectance, Metric};
-use solve::Problem;
+use problem::Problem;
 
 use crate::description::Number;
 use crate::error::Range;
@@ -160,32 +180,28 @@ impl<'a, D: Fittable> Fit<'a, D> {
     /// The fit to what was measured.
     ///
     /// # Errors
-    /// If a place has no number, if bounds are no range of their parameter, if nothing is free, if there
-    /// are fewer measured values than free numbers, if one is not finite, or if the solver gives up.
+    /// If a place has no number, if bounds are no range of their parameter, if nothing is free, if a
+    /// measurement is out of range, if fewer values count than numbers are free, or if the description
+    /// cannot be built with its numbers moved into the bounds.
     pub fn to(&self, measured: &[D::Point]) -> Result<Fitted<D>, FitError> {
         if let Some(failure) = &self.failure {
             return Err(failure.clone());
         }
-        let (count, free) = (D::count(measured), self.free.len());
+        let free = self.free.len();
         if free == 0 {
             return Err(FitError::NothingFree);
         }
+        let Counting { points, count, unit } = D::counting(measured)?;
         if count < free {
             return Err(FitError::TooFew { measured: count, free });
         }
-        let start = self.free.iter().map(Free::unbounded_start);
         let problem = Problem {
             description: self.description,
-            points: measured,
+            points: &points,
             metric: self.metric,
             free: &self.free,
-            unbounded: DVector::from_iterator(free, start),
         };
-        let at_start = self.description.residuals(&|_, value| value, measured, self.metric)?;
-        if at_start.iter().any(|residual: &f64| !residual.is_finite()) {
-            return Err(FitError::NotFinite);
-        }
-        let (problem, half_sum) = problem.minimize()?;
-        Fitted::of(&problem, 2.0 * half_sum, count)
+        let size = D::size(&points, self.metric);
+        Fitted::of(&problem, problem.minimize(size)?, count, [unit, size])
     }
 }

@@ -1,100 +1,135 @@
-//! Least squares by Levenberg and Marquardt, with exact derivatives.
+//! The search for a minimum within bounds: from face to face of the box that they are.
 
-use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt};
-use nalgebra::storage::Owned;
-use nalgebra::{DMatrix, DVector, Dyn};
+use nalgebra::{DMatrix, DVector, DVectorView};
 
-use super::error::FitError;
-use super::free::Free;
-use super::measured::{Fittable, Metric};
-use crate::description::{DescriptionError, Path};
-use crate::real::{Dual, Real};
+use super::face::Face;
+use super::free::{END, Free};
+use super::measured::Fittable;
+use super::problem::Problem;
+use crate::description::DescriptionError;
 
-/// How many derivatives are carried through the formulas at a time.
-const AT_ONCE: usize = 4;
+/// How often the numbers that stay at their bounds are chosen anew.
+const ROUNDS: usize = 50;
 
-pub(super) struct Problem<'a, D: Fittable> {
-    pub(super) description: &'a D,
-    pub(super) points: &'a [D::Point],
-    pub(super) metric: Metric,
-    pub(super) free: &'a [Free],
-    pub(super) unbounded: DVector<f64>,
+/// The way, in parts of that between the bounds, below which a number counts as not moved.
+const STILL: f64 = 1e-9;
+
+/// The cosine of the angle between the residuals and their derivative by a number, below which the
+/// number stands at a minimum.
+const LEVEL: f64 = 1e-6;
+
+/// The sum of the squared residuals, in parts of that of the measured values, which is but rounding.
+const ROUNDING: f64 = 1e-24;
+
+/// How far inside of a bound a number is tried that stays there.
+const TRIALS: [f64; 9] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
+
+/// The part of the sum of squares below which nothing was saved.
+const SAVING: f64 = 1e-9;
+
+/// Where a search ended.
+pub(super) struct End {
+    pub(super) place: Place,
+    /// Whether no number within its bounds makes the residuals smaller, as far as derivatives and trials
+    /// tell.
+    pub(super) minimum: bool,
+}
+
+/// A place within the bounds.
+pub(super) struct Place {
+    pub(super) parts: DVector<f64>,
+    /// The sum of the squared residuals.
+    pub(super) sum: f64,
+    /// The derivatives of the residuals by the parts of the way.
+    pub(super) derivatives: DMatrix<f64>,
+    /// The cosine of the angle between the residuals and their derivative by each number; 0 if it has
+    /// none.
+    leans: Vec<f64>,
+}
+
+impl Place {
+    /// Whether a number so close to a bound is at it, and the residuals do not become smaller inside.
+    fn stays(&self, number: usize, close: f64) -> bool {
+        let (part, lean) = (self.parts[number], self.leans[number]);
+        (part <= close && lean >= -LEVEL) || (part >= 1.0 - close && lean <= LEVEL)
+    }
+
+    /// Whether the residuals become smaller in no direction within the bounds.
+    fn is_level(&self) -> bool {
+        let mut leans = self.leans.iter().enumerate();
+        leans.all(|(number, lean)| lean.abs() <= LEVEL || self.stays(number, END))
+    }
 }
 
 impl<D: Fittable> Problem<'_, D> {
-    /// The values of the free numbers, and their derivatives by the numbers without bounds.
-    pub(super) fn values_and_slopes(&self) -> (Vec<f64>, Vec<f64>) {
-        let both = self.free.iter().zip(self.unbounded.iter());
-        both.map(|(free, unbounded)| free.value_and_slope(*unbounded)).unzip()
+    /// Goes to a minimum near the start; `size` is the sum of the squares of what was measured.
+    pub(super) fn minimize(&self, size: f64) -> Result<End, DescriptionError> {
+        let starts = self.free.iter().map(Free::start_part);
+        let mut place = self.place(DVector::from_iterator(self.free.len(), starts))?;
+        let rounded = ROUNDING * size;
+        for _ in 0..ROUNDS {
+            if place.sum <= rounded {
+                return Ok(End { place, minimum: true });
+            }
+            let Some(parts) = self.next(&place)? else {
+                let minimum = place.is_level();
+                return Ok(End { place, minimum });
+            };
+            place = self.place(parts)?;
+        }
+        let minimum = place.sum <= rounded;
+        Ok(End { place, minimum })
     }
 
-    /// The residuals of the numbers that `number` makes of the places and values of the free ones.
-    fn residuals_of<T: Real>(
-        &self,
-        values: &[f64],
-        number: impl Fn(usize, f64) -> T,
-    ) -> Result<Vec<T>, DescriptionError> {
-        let number = |path: &Path<'_>, value: f64| {
-            let path = path.to_string();
-            match self.free.iter().position(|free| free.path == path) {
-                Some(place) => number(place, values.get(place).copied().unwrap_or(value)),
-                None => T::lit(value),
-            }
+    fn place(&self, parts: DVector<f64>) -> Result<Place, DescriptionError> {
+        let residuals = self.residuals(&parts)?;
+        let all: Vec<usize> = (0..parts.len()).collect();
+        let derivatives = self.derivatives(&parts, &all)?;
+        let lean = |column: DVectorView<'_, f64>| {
+            let lengths = column.norm() * residuals.norm();
+            if lengths > 0.0 { column.dot(&residuals) / lengths } else { 0.0 }
         };
-        self.description.residuals(&number, self.points, self.metric)
+        let leans = derivatives.column_iter().map(lean).collect();
+        Ok(Place { parts, sum: residuals.norm_squared(), derivatives, leans })
     }
 
-    /// The derivatives of all residuals by the free numbers, one column for each.
-    pub(super) fn derivatives(&self, values: &[f64]) -> Result<DMatrix<f64>, DescriptionError> {
-        let mut columns = Vec::with_capacity(self.free.len());
-        for first in (0..self.free.len()).step_by(AT_ONCE) {
-            let residuals = self.residuals_of(values, |place, value| {
-                // A place before the first is beyond the last.
-                Dual::<f64, AT_ONCE>::variable(value, place.wrapping_sub(first))
-            })?;
-            for place in 0..AT_ONCE.min(self.free.len() - first) {
-                let column = residuals.iter().map(|residual| residual.derivatives[place]);
-                columns.push(DVector::from_iterator(residuals.len(), column));
+    /// A better place: the minimum, or the next bound, of the numbers that need not stay at theirs; if
+    /// that is here, what a trial finds.
+    fn next(&self, place: &Place) -> Result<Option<DVector<f64>>, DescriptionError> {
+        let numbers = 0..place.parts.len();
+        let moving: Vec<usize> = numbers.filter(|number| !place.stays(*number, 0.0)).collect();
+        if !moving.is_empty() {
+            let face = Face::new(self, place.parts.clone(), &moving, &place.derivatives);
+            let next = face.minimum();
+            let sum = self.residuals(&next)?.norm_squared();
+            let moved = (&next - &place.parts).amax();
+            if sum < place.sum * (1.0 - SAVING) || (sum <= place.sum && moved > STILL) {
+                return Ok(Some(next));
             }
         }
-        Ok(DMatrix::from_columns(&columns))
+        Ok(self.trial(place))
     }
 
-    /// Moves to the nearest minimum; the sum of the squared residuals there, halved.
-    pub(super) fn minimize(self) -> Result<(Self, f64), FitError> {
-        let (problem, report) = LevenbergMarquardt::new().with_patience(200).minimize(self);
-        if report.termination.was_successful() {
-            Ok((problem, report.objective_function))
-        } else {
-            Err(FitError::Solver(format!("{:?}", report.termination)))
+    /// The best of what is reached by moving one number away from its bound, if that makes the residuals
+    /// smaller: its derivative there may be zero in spite of that, as that of σ of Oren and Nayar is, or
+    /// have no value, as that of a cube root.
+    fn trial(&self, place: &Place) -> Option<DVector<f64>> {
+        let (mut best, mut least) = (None, place.sum * (1.0 - SAVING));
+        for (number, part) in place.parts.iter().enumerate() {
+            if *part > 0.0 && *part < 1.0 {
+                continue;
+            }
+            for way in TRIALS {
+                let mut trial = place.parts.clone();
+                trial[number] = if *part > 0.0 { 1.0 - way } else { way };
+                // Where nothing is built there is nothing better.
+                let Ok(residuals) = self.residuals(&trial) else { continue };
+                let sum = residuals.norm_squared();
+                if sum < least {
+                    (best, least) = (Some(trial), sum);
+                }
+            }
         }
-    }
-}
-
-impl<D: Fittable> LeastSquaresProblem<f64, Dyn, Dyn> for Problem<'_, D> {
-    type ResidualStorage = Owned<f64, Dyn>;
-    type JacobianStorage = Owned<f64, Dyn, Dyn>;
-    type ParameterStorage = Owned<f64, Dyn>;
-
-    fn set_params(&mut self, unbounded: &DVector<f64>) {
-        self.unbounded.copy_from(unbounded);
-    }
-
-    fn params(&self) -> DVector<f64> {
-        self.unbounded.clone()
-    }
-
-    fn residuals(&self) -> Option<DVector<f64>> {
-        let (values, _) = self.values_and_slopes();
-        self.residuals_of::<f64>(&values, |_, value| value).ok().map(DVector::from_vec)
-    }
-
-    fn jacobian(&self) -> Option<DMatrix<f64>> {
-        let (values, slopes) = self.values_and_slopes();
-        let mut jacobian = self.derivatives(&values).ok()?;
-        for (mut column, slope) in jacobian.column_iter_mut().zip(slopes) {
-            column *= slope;
-        }
-        Some(jacobian)
+        best
     }
 }

@@ -4,7 +4,9 @@
 mod colorimetry;
 mod colours;
 mod ellipsometry;
+mod fit_minima;
 mod fit_parameters;
+mod fit_refusals;
 mod fits;
 mod fresnel_reference;
 mod generate;
