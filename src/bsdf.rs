@@ -3,6 +3,7 @@
 use alloc::boxed::Box;
 use alloc::sync::Arc;
 
+use crate::direction::off_surface_or_normal;
 use crate::quadrature::mean_over_square;
 use crate::real::{Color, Mask, Real, Vector};
 
@@ -62,7 +63,7 @@ pub trait Bsdf<T: Real = f32>: Send + Sync {
     /// from its `wi`. There is no probability in the weights.
     fn specular(&self, wo: T::Vec3, mode: TransportMode) -> Lobes<T, Self::Color> {
         let _ = mode;
-        Lobes::none(wo)
+        Lobes::none(off_surface_or_normal::<T, _>(wo))
     }
 
     /// Of a beam that arrives along `wo`, the power that returns and that passes, specular lobes

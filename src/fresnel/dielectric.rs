@@ -73,7 +73,8 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Dielectric<C> {
     /// Walsh, 1926), but its terms are up to (n − 1)⁻³ times as large as their sum. Here it is a
     /// 48-point quadrature over ln(z/(n² − 1) − ρ), ρ = (n² − 1)/(n² + 1), where the integrand is
     /// positive and its nearest singularity stays far away for every index. An index below 1 uses
-    /// F(n) = 1 − n²(1 − F(1/n)).
+    /// F(n) = 1 − n²(1 − F(1/n)). At n = 1, where its slopes are −7/3 below and 1/3 above, its
+    /// derivative is the one above.
     fn average(&self) -> C {
         self.ior.map(average)
     }
@@ -211,7 +212,7 @@ pub(crate) fn average<T: Real>(ior: T) -> T {
     let inside = ior.lt(one);
     let n = T::select(inside, one / ior, ior);
     // r = (n − 1)/(n + 1) and 1 − r, both without cancellation; the same for n and 1/n.
-    let r = (ior - one).abs() / (ior + one);
+    let r = T::select(inside, one - ior, ior - one) / (ior + one);
     let rest = two * T::select(inside, ior, one) / (ior + one);
     let rho = two * r / (one + r * r);
     let one_minus_rho = rest * rest / (one + r * r);

@@ -30,8 +30,9 @@ model! {
     /// | at | 83.1° | 83.0° | 83.8° | 84.3° | 85.0° | 85.4° | 85.2° | 84.4° | 84.1° |
     /// | mean over θ | 0.0399 | 0.0208 | 0.0109 | 0.0094 | 0.0092 | 0.0106 | 0.0111 | 0.0142 | 0.0211 |
     ///
-    /// and for metals 0.0066 (silver), 0.0176 (gold), 0.0390 (copper), 0.0801 (aluminium), 0.1978
-    /// (chromium) at their worst of the tested wavelengths.
+    /// and for metals 0.0066 (silver, 0.06 + 3.586i), 0.0176 (gold, 1.38 + 1.914i), 0.0390 (copper, 1.02 +
+    /// 2.577i), 0.0801 (aluminium, 0.789 + 5.852i), 0.1978 (chromium, 3.18 + 3.33i); other wavelengths of
+    /// the same metal may be worse.
     ///
     /// # Sources
     /// C. Schlick, *An Inexpensive BRDF Model for Physically-based Rendering*, Computer Graphics Forum

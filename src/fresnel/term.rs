@@ -30,8 +30,10 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     /// What a reflectance has channels for.
     type Color: Color<T>;
 
-    /// Reflectance in 0 … 1 at the cosine of the angle of incidence. ([`Cook`](super::Cook) is the
-    /// exception: its answer contains the light.)
+    /// Reflectance at the cosine of the angle of incidence, in 0 … 1 with three exceptions: the answer of
+    /// [`Cook`](super::Cook) contains the light, [`BelcourBarla`](super::BelcourBarla) has colours that
+    /// sRGB cannot show, and what arrives in an absorbing medium above a [`Stack`](super::Stack) is no
+    /// measure of what returns.
     ///
     /// A cosine beyond ±1 counts as ±1. A negative one means light from the other side to
     /// [`Dielectric`](super::Dielectric); the other models have one side only and ignore the sign.

@@ -50,7 +50,8 @@ model! {
     ///
     /// # Sampling
     /// Around the mirror direction with density (h − 1)/(2π ln h) / (h − hS + S), which leaves the
-    /// factor S to the weight and can be drawn exactly.
+    /// factor S to the weight and can be drawn exactly. Below h = 1 the density is that of h = 1, 1/2π,
+    /// and the weight has the rest; so h = 1 is a kink of samples and densities, not of values.
     ///
     /// # Sources
     /// C. Schlick, *A Fast Alternative to Phong's Specular Model*, Graphics Gems IV, 1994, 385–387.

@@ -82,7 +82,8 @@ impl<T: Real, F: Fresnel<T>> Bsdf<T> for Mirror<F> {
     #[inline(always)]
     fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, F::Color> {
         let viewer = Viewer::<T>::above(wo);
-        viewer.mirror(self.fresnel.reflectance(viewer.wo.z().at_most(T::one())))
+        // As a part of a surface: a colour that no light has counts as 0.
+        viewer.mirror(self.fresnel.reflected(viewer.wo.z().at_most(T::one()), T::one()))
     }
 
     fn power(&self, wo: T::Vec3) -> Power<F::Color> {

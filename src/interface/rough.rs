@@ -53,7 +53,9 @@ use crate::real::{Color, Lift, Mask, Real, Vector, in_place, lift};
 /// nodes: within 2·10⁻⁴ of the mean of 2·10⁶ draws, up to 1.4 rad from either side, mostly within 2·10⁻⁵.
 ///
 /// # Limits
-/// One scattering, no absorption, no dispersion. Where a lobe is narrower than the rounding of the
+/// One scattering, no absorption, no dispersion. Light that is scattered more than once is lost, also
+/// where the index is next to 1 (GGX 0.5 at 0.5 rad passes 0.982); at 1 itself there is no surface, and
+/// all passes. Where a lobe is narrower than the rounding of the
 /// directions a sample keeps its weight but its density is that of the rounded direction.
 ///
 /// # Sources

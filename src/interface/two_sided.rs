@@ -4,8 +4,13 @@ use crate::real::{Lift, Real, Vector, lift};
 
 /// A model whose front is on both sides of the surface, as of a sheet of paper.
 ///
-/// Below the surface the model answers for the mirror images of the directions. What it transmits, it
-/// transmits from either side as from above.
+/// Below the surface the model answers for the mirror images of the directions.
+///
+/// # Limits
+/// For models of reflection: those keep their reciprocity. What a model transmits it transmits from either
+/// side as from above, so that light which passes does not find its way back, and the answers for
+/// importance are not the transposes of those for radiance. An interface, such as
+/// [`SmoothDielectric`](super::SmoothDielectric), knows both its sides and needs no second one.
 ///
 /// ```
 /// use brdf::{Bsdf, Lambert, Opaque, TransportMode, TwoSided};

@@ -6,8 +6,8 @@ use crate::real::Real;
 
 /// A complex number: an amplitude, a refractive index n + ik.
 ///
-/// No operation branches on a value; a division neither overflows nor underflows on the way, and a
-/// quotient by 0 is finite. The parts may be colours, where it only holds them.
+/// No operation branches on a value; a division neither overflows nor underflows on the way for divisors
+/// from 10⁻³⁷ in `f32` and 10⁻³⁰⁰ in `f64`, and a quotient by 0 is 0. The parts may be colours, where it only holds them.
 ///
 /// ```
 /// use brdf::polarization::Complex;
@@ -79,7 +79,7 @@ impl<T: Real> Complex<T> {
         self.im.atan2(self.re)
     }
 
-    /// 1/z; of 0 a large finite number.
+    /// 1/z; 0 of 0, and of what is too small for its inverse.
     #[inline(always)]
     #[must_use]
     pub fn inverse(self) -> Self {
@@ -109,16 +109,16 @@ impl<T: Real> Complex<T> {
         }
     }
 
-    /// The smallest square of a modulus that has digits.
+    /// The smallest number that has all its digits and an inverse.
     #[inline(always)]
     pub(super) fn floor() -> T {
         T::lit(if T::SPACING < 1e-10 { 1e-300 } else { 1e-37 })
     }
 
-    /// The larger of the absolute values of both parts, at least 10⁻³⁷.
+    /// The larger of the absolute values of both parts, at least the floor.
     #[inline(always)]
     fn larger(self) -> T {
-        self.re.abs().max(self.im.abs()).max(T::lit(1e-37))
+        self.re.abs().max(self.im.abs()).max(Self::floor())
     }
 
     /// This number where the mask is true, zero elsewhere.

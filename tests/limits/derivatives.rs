@@ -1,13 +1,13 @@
 //! Derivatives of models where a formula makes them hard: at ties, at bounds, at the normal, at the
 //! ends of ranges. The values are those of the exact formula.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use brdf::{
-    AnyMixture, Beckmann, BlinnPhong, Brdf, ClassicPhong, Conductor, Constant, CookTorrance,
+    AnyMixture, Beckmann, BlinnPhong, Brdf, Bsdf, ClassicPhong, Conductor, Constant, CookTorrance,
     Dielectric, Distribution, Dual, Fresnel, Gaussian, Gradient, LommelSeeliger, Minnaert,
-    OrenNayar, ParameterError, Phong, Real, Sample, SchlickPower, SmithCorrelated, VCavity,
-    Vector3, gradient,
+    OrenNayar, ParameterError, Phong, Plastic, Real, Sample, SchlickPower, SmithCorrelated,
+    TransportMode, VCavity, Vector3, gradient,
 };
 use glam::{DVec3, Vec3};
 
@@ -74,6 +74,28 @@ fn samples_of_v_cavities_move_with_the_roughness() {
     });
     let want = DVec3::new(0.517351158, 0.843474506, 0.026096838);
     assert!((sample.unwrap().derivatives[0].wi - want).length() < 1e-9);
+}
+
+/// An index of 1 is the end of what plastic may have: there is one side only.
+#[test]
+fn plastic_has_the_slope_of_denser_media_at_index_one() {
+    let up = |ior, linear: bool, albedo: f64| {
+        let ground = Dual::vector(DVec3::splat(albedo));
+        let new = if linear { Plastic::linear } else { Plastic::new };
+        new(ground, ior).map(|plastic| {
+            plastic.eval(Dual::vector(UP), Dual::vector(UP), TransportMode::Radiance).x
+        })
+    };
+    for (linear, albedo, want) in [
+        (false, 0.5, 0.5 / PI * (-2.0 + 7.0 / 6.0)),
+        (false, 1.0, 1.0 / PI * (-2.0 + 7.0 / 3.0)),
+        (true, 0.5, 0.5 / (3.0 * PI)),
+    ] {
+        let f = gradient([1.0], |[ior]| up(ior, linear, albedo));
+        close(f.unwrap().derivatives[0], want, 1e-12);
+    }
+    let average = gradient([1.0], |[ior]| Dielectric::new(ior).map(|one| one.average()));
+    close(average.unwrap().derivatives[0], 1.0 / 3.0, 1e-12);
 }
 
 /// By a lattice of 25 million facets and differences of fourth order.

@@ -348,3 +348,12 @@ fn belcour_barla_is_near_the_integral_over_the_spectrum() {
         assert!(worst < allowed, "{film} on {n} + {k}i: {worst}");
     }
 }
+
+#[test]
+fn quotients_of_small_numbers_keep_their_digits() {
+    let small = Complex::new(1e-300_f64, 1e-300);
+    let quotient = Complex::real(1e-300) / small;
+    assert!((quotient.re - 0.5).abs() < 1e-15 && (quotient.im + 0.5).abs() < 1e-15, "{quotient:?}");
+    assert_eq!(Complex::real(0.0_f64).inverse(), Complex::new(0.0, 0.0));
+    assert_eq!(Complex::real(1.0_f32) / Complex::real(0.0), Complex::new(0.0, 0.0));
+}

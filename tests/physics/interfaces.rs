@@ -7,8 +7,8 @@ use std::f64::consts::{PI, TAU};
 use brdf::description::{BsdfDescription, forms};
 use brdf::parameter::Part;
 use brdf::{
-    AnyBsdf, Brdf, Bsdf, BsdfSample, ClassicPhong, Frame, Ggx, Lobe, Opaque, RoughDielectric,
-    SmithSeparable, TransportMode, TwoSided, from_spherical,
+    AnyBsdf, BelcourBarla, Brdf, Bsdf, BsdfSample, ClassicPhong, Frame, Fresnel, Ggx, Lambert,
+    Lobe, Mirror, Opaque, RoughDielectric, SmithSeparable, TransportMode, TwoSided, from_spherical,
 };
 use brdf_checks::measure::sampling::chi_squared::{compare, least_of};
 use glam::{DVec2, DVec3, Vec3};
@@ -444,6 +444,28 @@ fn a_beam_meets_a_model_that_is_not_reciprocal_the_other_way() {
         assert!((got - power).abs() < 2e-3 * power, "{theta}: {got} is not {power}");
         assert!((phong.albedo(wo).x - power).abs() > 0.03 * power, "{theta}");
     }
+}
+
+/// The colours of films leave those that light can have.
+#[test]
+fn a_mirror_of_a_film_takes_no_light_away() {
+    let soap: BelcourBarla<DVec3, f64> =
+        BelcourBarla::new(1.33, 300.0, [1.0, 0.0], 1.0).expect("a film");
+    let wo: DVec3 = from_spherical(PI / 3.0, 0.0);
+    assert!(soap.reflectance(0.5).x < -0.01);
+    let mirror = Mirror::new(soap);
+    let lobe = mirror.specular(wo, TransportMode::Radiance).reflected;
+    assert_eq!(lobe.weight.x, 0.0);
+    assert!(lobe.weight.z > 0.1);
+    assert_eq!(mirror.power(wo).reflectance, lobe.weight);
+}
+
+#[test]
+fn no_direction_has_no_lobe() {
+    let paper = Opaque::new(Lambert::new(DVec3::ONE).expect("an albedo"));
+    let lobes = paper.specular(DVec3::NAN, TransportMode::Radiance);
+    assert_eq!(lobes.reflected.weight, DVec3::ZERO);
+    assert!(lobes.reflected.wi.is_finite() && lobes.transmitted.wi.is_finite());
 }
 
 #[test]
