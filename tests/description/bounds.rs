@@ -98,7 +98,8 @@ fn announced_lengths_are_not_believed() {
 fn long_keys_are_not_repeated() {
     let text = format!(r#"{{"{}": 1}}"#, "k".repeat(1_000_000));
     let error = serde_json::from_str::<BrdfDescription>(&text).expect_err("unknown").to_string();
-    assert!(error.len() < 400, "{}", error.len());
+    // The names of all models, and nothing of the key.
+    assert!(error.len() < 600, "{}", error.len());
 }
 
 /// Nor whatever the name of a metal.
