@@ -211,12 +211,15 @@ fn a_number_that_is_driven_out_ends_at_its_bound() {
         let fitted = fit.to(&measured).unwrap();
         let [albedo, sigma] = fitted.parameters() else { panic!("two") };
         assert!(albedo.value == 0.7 && albedo.at_bound && albedo.standard_error.is_none());
-        assert!(!sigma.at_bound && fitted.is_minimum());
+        assert!(fitted.is_minimum(), "{fitted:?}");
+        println!("{metric:?}: {fitted:?}");
         for moved in [0.69, 0.6999] {
             let other = beside(&fitted, &albedo.path, moved, metric, &measured).unwrap();
             assert!(other > fitted.residual());
         }
-        for moved in [sigma.value - 1e-3, sigma.value + 1e-3] {
+        // A smoother surface is brighter too: σ may be driven out as well.
+        let beside_sigma = [sigma.value - 1e-3, sigma.value + 1e-3];
+        for moved in beside_sigma.into_iter().filter(|moved| *moved >= 0.0) {
             let other = beside(&fitted, &sigma.path, moved, metric, &measured).unwrap();
             assert!(other > fitted.residual());
         }
