@@ -6,6 +6,7 @@ use super::rough::RoughDielectric;
 use super::smooth::SmoothDielectric;
 use super::thin::ThinDielectric;
 use crate::any::AnyBrdf;
+use crate::block::{ColorBlock, EventBlock, PairBlock, Plane, SampleBlock};
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::distribution::{Beckmann, Ggx};
 use crate::fresnel::AnyFresnel;
@@ -80,5 +81,38 @@ impl<T: Real, C: Color<T>> Bsdf<T> for AnyBsdf<T, C> {
 
     fn power(&self, wo: T::Vec3) -> Power<C> {
         each!(self, model => model.power(wo))
+    }
+
+    fn eval_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, C>,
+    ) {
+        each!(self, model => model.eval_block(pairs, mode, values));
+    }
+
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, mode: TransportMode, pdf: &mut Plane<T>) {
+        each!(self, model => model.pdf_block(pairs, mode, pdf));
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, C>,
+        pdf: &mut Plane<T>,
+    ) {
+        each!(self, model => model.eval_pdf_block(pairs, mode, values, pdf));
+    }
+
+    fn sample_block(
+        &self,
+        draws: EventBlock<'_, T>,
+        mode: TransportMode,
+        samples: &mut SampleBlock<T, C>,
+        specular: &mut Plane<T>,
+    ) {
+        each!(self, model => model.sample_block(draws, mode, samples, specular));
     }
 }
