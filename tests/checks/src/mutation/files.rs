@@ -46,7 +46,7 @@ pub fn known() -> &'static [Known] {
 }
 
 /// The files in the rooms of models, distributions, Fresnel terms and shadowings that are called like
-/// a word of the registry, and all files of the room of interfaces that compute anything.
+/// a word of the registry.
 pub fn of_forms() -> BTreeSet<String> {
     let words: BTreeSet<String> = models::rows().iter().flat_map(models::Row::words).collect();
     let rooms = path("src").read_dir().expect("the sources").map(|room| room.expect("a room"));
@@ -55,15 +55,7 @@ pub fn of_forms() -> BTreeSet<String> {
         rooms.map(|room| format!("src/{}", room.file_name().display())).collect();
     let files =
         rooms.iter().flat_map(|room| words.iter().map(move |word| format!("{room}/{word}.rs")));
-    let files = files.filter(|file| path(file).is_file());
-    files.chain(all_of("src/interface")).collect()
-}
-
-/// All files of a room that compute anything.
-fn all_of(room: &str) -> impl Iterator<Item = String> {
-    let files = path(room).read_dir().expect("a room").map(|file| file.expect("a file"));
-    let files = files.map(move |file| format!("{room}/{}", file.file_name().display()));
-    files.filter(|file| !matches!(file.rsplit('/').next(), Some("mod.rs" | "any.rs")))
+    files.filter(|file| path(file).is_file()).collect()
 }
 
 /// The obvious bugs of a file that no check finds, each as its line and what it is.
