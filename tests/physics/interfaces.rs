@@ -9,9 +9,10 @@ use brdf::parameter::Part;
 use brdf::{Bsdf, Ggx, RoughDielectric, SmithSeparable, from_spherical};
 use brdf_checks::interfaces::laws::{LAWS, mean_weights};
 use brdf_checks::interfaces::{self, rows, viewers};
+use brdf_checks::measure::derivatives::{LARGEST, derivatives, questions_over_sphere};
 use brdf_checks::measure::sampling::chi_squared::{Verdict, least_of};
 use brdf_checks::measure::sphere::sampling;
-use brdf_checks::sound::unsound;
+use brdf_checks::sound::unsound_anywhere;
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -39,8 +40,23 @@ fn every_law_holds() {
 #[test]
 fn every_answer_in_single_precision_is_sound() {
     for entry in interfaces::single() {
-        assert_eq!(unsound(&*entry.model), None, "{}", entry.row.name);
+        assert_eq!(unsound_anywhere(&*entry.model), None, "{}", entry.row.name);
     }
+}
+
+/// By every number of the description and by both directions, against differences.
+#[test]
+fn derivatives_over_the_sphere_are_those_of_the_answers() {
+    let (mut compared, mut undecided) = (0, 0);
+    for row in rows() {
+        let found = derivatives(&row.bsdf, &questions_over_sphere(24));
+        let name = &row.name;
+        assert!(found.faults.is_empty(), "{name}: {}", found.faults.join("\n"));
+        assert!(found.largest <= LARGEST, "{name}: {:e}: {}", found.largest, found.place);
+        compared += found.compared;
+        undecided += found.undecided;
+    }
+    assert!(undecided * 20 < compared, "differences cannot tell {undecided} of {compared}");
 }
 
 /// Draws are distributed as the density says, on both sides of the surface, at critical angles and grazing,

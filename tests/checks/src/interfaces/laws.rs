@@ -4,7 +4,7 @@ use brdf::{BsdfSample, Lobe, TransportMode};
 use glam::DVec3;
 
 use super::{Entry, MODES, Model, pairs, viewers};
-use crate::sound::unsound;
+use crate::sound::unsound_anywhere;
 use crate::values::{Verdict, fail};
 
 /// A law, over a model of numbers whose errors, if there are any, are armed as it answers.
@@ -224,7 +224,7 @@ fn two_sides(entry: &Entry<f64>) -> Verdict {
 
 /// Every answer is finite and not negative, whatever goes in.
 fn robustness(entry: &Entry<f64>) -> Verdict {
-    unsound(&*entry.model).map_or(Ok(()), fail)
+    unsound_anywhere(&*entry.model).map_or(Ok(()), fail)
 }
 
 /// Powers are the means of weights, all that arrives where nothing is lost, and never more.
