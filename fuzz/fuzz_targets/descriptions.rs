@@ -4,11 +4,11 @@
 
 use arbitrary::{Arbitrary, Unstructured};
 use brdf::Real;
-use brdf::description::BrdfDescription;
+use brdf::description::{BrdfDescription, BsdfDescription};
 use brdf_fuzz::geometry::Directions;
 use brdf_fuzz::models::Model;
 use brdf_fuzz::numbers::Number;
-use brdf_fuzz::sound::assert_sound;
+use brdf_fuzz::sound::{assert_sound, unsound};
 use libfuzzer_sys::fuzz_target;
 
 #[derive(Arbitrary, Debug)]
@@ -24,7 +24,10 @@ const GRAZING: Directions = Directions([[-0.6, 0.0, 0.8], [1.0, 0.0, 1e-20]]);
 fuzz_target!(|bytes: &[u8]| {
     let Some((&format, rest)) = bytes.split_first() else { return };
     match format % 4 {
-        0 => round_trip(serde_json::from_slice(rest).ok(), GRAZING, [0.0, 1.0]),
+        0 => {
+            round_trip(serde_json::from_slice(rest).ok(), GRAZING, [0.0, 1.0]);
+            over_sphere(serde_json::from_slice(rest).ok());
+        }
         1 => round_trip(ron::de::from_bytes(rest).ok(), GRAZING, [0.0, 1.0]),
         2 => round_trip(ciborium::from_reader(rest).ok(), GRAZING, [0.0, 1.0]),
         _ => {
@@ -33,6 +36,19 @@ fuzz_target!(|bytes: &[u8]| {
         }
     }
 });
+
+/// What is read as a model over the whole sphere.
+fn over_sphere(description: Option<BsdfDescription>) {
+    let Some(description) = description else { return };
+    let text = serde_json::to_string(&description).expect("descriptions can be written");
+    let again: BsdfDescription = serde_json::from_str(&text).expect("what is written can be read");
+    assert_eq!(again, description, "{text}");
+    let model = description.build::<f64>().expect("what is read can be built");
+    let Directions(pair) = GRAZING;
+    for sides in [pair, pair.map(|[x, y, z]| [x, y, -z])] {
+        assert_eq!(unsound(&model, sides, [0.0, 1.0, 0.5]), None, "{text}");
+    }
+}
 
 fn round_trip(description: Option<BrdfDescription>, directions: Directions, u: [f64; 2]) {
     let Some(description) = description else { return };

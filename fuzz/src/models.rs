@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use arbitrary::{Arbitrary, Result, Unstructured};
-use brdf::description::BrdfDescription;
+use brdf::description::{BrdfDescription, BsdfDescription};
 use ciborium::Value;
 
 use crate::numbers::{Channels, Number};
@@ -153,5 +153,33 @@ impl Model {
             tree: Value::Map(vec![(text("sum"), Value::Array(trees))]),
             promise: Promise { weight: scaled(all.weight), grooves: scaled(all.grooves), ..all },
         }
+    }
+}
+
+/// The lines of models over the whole sphere.
+static INTERFACES: LazyLock<Vec<Value>> = LazyLock::new(|| {
+    let tree = |line: &str| {
+        let row: serde_json::Value = serde_json::from_str(line).expect("a line of JSON");
+        Value::serialized(&row["bsdf"]).expect("JSON fits CBOR")
+    };
+    include_str!("../../tests/interfaces.jsonl").lines().map(tree).collect()
+});
+
+/// A description of a model over the whole sphere that may be wrong in its numbers.
+#[derive(Clone, Debug)]
+pub struct Interface(Value);
+
+impl<'a> Arbitrary<'a> for Interface {
+    fn arbitrary(u: &mut Unstructured<'a>) -> Result<Self> {
+        let mut tree = u.choose(&INTERFACES)?.clone();
+        vary(&mut tree, false, &mut None, u)?;
+        Ok(Self(tree))
+    }
+}
+
+impl Interface {
+    /// The description, if its numbers are in range.
+    pub fn read(&self) -> Option<BsdfDescription> {
+        self.0.deserialized().ok()
     }
 }

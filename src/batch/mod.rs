@@ -24,6 +24,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! Models over the whole sphere, [`Bsdf`](crate::Bsdf), have the same batches, with the mode of transport
+//! and three uniform numbers; what they sample goes to a [`BsdfSampleBuffer`].
+//!
 //! # Layouts
 //! Directions are vectors one after the other, or three slices of components, which is faster; one
 //! direction may stand for all. Colours are written one after the other, or into a slice for each
@@ -95,8 +98,8 @@ mod each;
 pub mod parallel;
 
 pub use crate::block::{
-    BLOCK, BatchError, Block, ColorBlock, ColorBuffer, CosineBlock, DirectionBlock,
-    DirectionBuffer, Directions, DrawBlock, InstructionSet, PairBlock, Plane, SampleBlock,
-    SampleBuffer, UniformBlock, Uniforms,
+    BLOCK, BatchError, Block, BsdfSampleBuffer, ColorBlock, ColorBuffer, CosineBlock,
+    DirectionBlock, DirectionBuffer, Directions, DrawBlock, EventBlock, InstructionSet, PairBlock,
+    Plane, SampleBlock, SampleBuffer, UniformBlock, Uniforms,
 };
 pub use each::{eval_each, eval_pdf_each, pdf_each, sample_each};

@@ -1,7 +1,8 @@
 //! Batches on all cores, with the `rayon` feature.
 //!
 //! The results are those of [`Brdf::eval_batch`] and its like, bit for bit, whatever the number of threads.
-//! The threads are rayon's: those of the pool that the call is made from.
+//! The threads are rayon's: those of the pool that the call is made from. Models over the whole sphere have
+//! theirs in [`bsdf`].
 //!
 //! ```
 //! use brdf::batch::parallel;
@@ -15,6 +16,8 @@
 //! assert_eq!(values[99_999], clay.eval(wi[0], Vec3::Z));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+
+pub mod bsdf;
 
 use crate::block::{
     BatchError, ColorBuffer, Directions, Draws, Input, Numbers, Output, Pairs, SampleBuffer,

@@ -125,22 +125,25 @@ fn plane<'b, T: Real>(slice: &'b [T], start: usize, memory: &'b mut Plane<T>) ->
     memory
 }
 
-/// Pairs of uniform numbers in [0, 1) that a batch reads, one for each of its elements.
+/// Uniform numbers in [0, 1) that a batch reads, `N` for each of its elements: two for a
+/// [`Brdf`](crate::Brdf), three for a [`Bsdf`](crate::Bsdf).
 #[derive(Clone, Copy, Debug)]
-pub enum Uniforms<'a, T = f32> {
-    /// One pair after the other.
-    Pairs(&'a [[T; 2]]),
-    /// All first numbers, all second numbers.
-    Planes([&'a [T]; 2]),
+pub enum Uniforms<'a, T = f32, const N: usize = 2> {
+    /// The numbers of one element after those of the other.
+    Points(&'a [[T; N]]),
+    /// All first numbers, all second numbers, and so on.
+    Planes([&'a [T]; N]),
 }
 
-impl<'a, T: Real> Uniforms<'a, T> {
+/// What the uniform numbers are called in errors.
+const U: [&str; 3] = ["u[0]", "u[1]", "u[2]"];
+
+impl<'a, T: Real, const N: usize> Uniforms<'a, T, N> {
     fn check(&self, length: &Length) -> Result<(), BatchError> {
         match self {
-            Self::Pairs(pairs) => length.check("u", pairs.len()),
-            Self::Planes([first, second]) => {
-                length.check("u[0]", first.len())?;
-                length.check("u[1]", second.len())
+            Self::Points(points) => length.check("u", points.len()),
+            Self::Planes(planes) => {
+                U.iter().zip(planes).try_for_each(|(name, plane)| length.check(name, plane.len()))
             }
         }
     }
@@ -149,34 +152,44 @@ impl<'a, T: Real> Uniforms<'a, T> {
     #[cfg(feature = "rayon")]
     fn split(self, middle: usize) -> (Self, Self) {
         match self {
-            Self::Pairs(pairs) => {
-                let (first, second) = pairs.split_at(middle);
-                (Self::Pairs(first), Self::Pairs(second))
+            Self::Points(points) => {
+                let (first, second) = points.split_at(middle);
+                (Self::Points(first), Self::Points(second))
             }
             Self::Planes(planes) => {
-                let [u0, u1] = planes.map(|plane| plane.split_at(middle));
-                (Self::Planes([u0.0, u1.0]), Self::Planes([u0.1, u1.1]))
+                let halves = planes.map(|plane| plane.split_at(middle));
+                (
+                    Self::Planes(halves.map(|(first, _)| first)),
+                    Self::Planes(halves.map(|(_, second)| second)),
+                )
             }
         }
     }
 
     /// See [`Input::planes`].
     #[inline(always)]
-    fn planes<'b>(&self, start: usize, [u0, u1]: [&'b mut Plane<T>; 2]) -> [&'b Plane<T>; 2]
+    fn planes<'b>(&self, start: usize, mut memory: [&'b mut Plane<T>; N]) -> [&'b Plane<T>; N]
     where
         'a: 'b,
     {
         match *self {
-            Self::Pairs(pairs) => {
-                let rest = pairs.get(start..).unwrap_or_default();
-                let first = rest.first().copied().unwrap_or([T::zero(); 2]);
-                [*u0, *u1] = first.map(|number| [number; BLOCK]);
-                for (index, pair) in rest.iter().take(BLOCK).enumerate() {
-                    [u0[index], u1[index]] = *pair;
+            Self::Points(points) => {
+                let rest = points.get(start..).unwrap_or_default();
+                let first = rest.first().copied().unwrap_or([T::zero(); N]);
+                for (plane, number) in memory.iter_mut().zip(first) {
+                    **plane = [number; BLOCK];
                 }
-                [u0, u1]
+                for (index, point) in rest.iter().take(BLOCK).enumerate() {
+                    for (plane, number) in memory.iter_mut().zip(point) {
+                        plane[index] = *number;
+                    }
+                }
+                memory.map(|plane| &*plane)
             }
-            Self::Planes([first, second]) => [plane(first, start, u0), plane(second, start, u1)],
+            Self::Planes(planes) => {
+                let mut planes = planes.into_iter();
+                memory.map(|memory| plane(planes.next().unwrap_or_default(), start, memory))
+            }
         }
     }
 }
@@ -214,33 +227,43 @@ impl<T: Real> Input<T, 6> for Pairs<'_, T> {
     }
 }
 
-/// Viewers and uniform numbers: what samples are drawn for.
+/// Viewers and `N` uniform numbers for each: what samples are drawn for.
 #[derive(Clone, Copy)]
-pub(crate) struct Draws<'a, T: Real> {
+pub(crate) struct Draws<'a, T: Real, const N: usize> {
     pub(crate) wo: Directions<'a, T>,
-    pub(crate) u: Uniforms<'a, T>,
+    pub(crate) u: Uniforms<'a, T, N>,
 }
 
-impl<T: Real> Input<T, 5> for Draws<'_, T> {
-    fn check(&self, length: &Length) -> Result<(), BatchError> {
-        self.wo.check(length, WO)?;
-        self.u.check(length)
-    }
+macro_rules! draws {
+    ($uniforms:literal, $numbers:literal: $($u:ident)*) => {
+        impl<T: Real> Input<T, $numbers> for Draws<'_, T, $uniforms> {
+            fn check(&self, length: &Length) -> Result<(), BatchError> {
+                self.wo.check(length, WO)?;
+                self.u.check(length)
+            }
 
-    #[inline(always)]
-    fn planes<'b>(&'b self, start: usize, memory: &'b mut [Plane<T>; 5]) -> [&'b Plane<T>; 5] {
-        let [a, b, c, d, e] = memory;
-        let [a, b, c] = self.wo.planes(start, [a, b, c]);
-        let [d, e] = self.u.planes(start, [d, e]);
-        [a, b, c, d, e]
-    }
+            #[inline(always)]
+            fn planes<'b>(
+                &'b self,
+                start: usize,
+                memory: &'b mut [Plane<T>; $numbers],
+            ) -> [&'b Plane<T>; $numbers] {
+                let [x, y, z, $($u),*] = memory;
+                let [x, y, z] = self.wo.planes(start, [x, y, z]);
+                let [$($u),*] = self.u.planes(start, [$($u),*]);
+                [x, y, z, $($u),*]
+            }
 
-    #[cfg(feature = "rayon")]
-    fn split(self, middle: usize) -> (Self, Self) {
-        let (wo, u) = (self.wo.split(middle), self.u.split(middle));
-        (Self { wo: wo.0, u: u.0 }, Self { wo: wo.1, u: u.1 })
-    }
+            #[cfg(feature = "rayon")]
+            fn split(self, middle: usize) -> (Self, Self) {
+                let (wo, u) = (self.wo.split(middle), self.u.split(middle));
+                (Self { wo: wo.0, u: u.0 }, Self { wo: wo.1, u: u.1 })
+            }
+        }
+    };
 }
+draws!(2, 5: u0 u1);
+draws!(3, 6: u0 u1 u2);
 
 /// Normals of facets.
 #[derive(Clone, Copy)]
@@ -319,14 +342,18 @@ impl<'a, T: Real, P: AsRef<[T]> + ?Sized> From<[&'a P; 3]> for Directions<'a, T>
     }
 }
 
-impl<'a, T: Real, P: AsRef<[T]> + ?Sized> From<[&'a P; 2]> for Uniforms<'a, T> {
-    fn from(planes: [&'a P; 2]) -> Self {
+impl<'a, T, P, const N: usize> From<[&'a P; N]> for Uniforms<'a, T, N>
+where
+    T: Real,
+    P: AsRef<[T]> + ?Sized,
+{
+    fn from(planes: [&'a P; N]) -> Self {
         Self::Planes(planes.map(AsRef::as_ref))
     }
 }
 
-impl<'a, T, P: AsRef<[[T; 2]]> + ?Sized> From<&'a P> for Uniforms<'a, T> {
-    fn from(pairs: &'a P) -> Self {
-        Self::Pairs(pairs.as_ref())
+impl<'a, T, P: AsRef<[[T; N]]> + ?Sized, const N: usize> From<&'a P> for Uniforms<'a, T, N> {
+    fn from(points: &'a P) -> Self {
+        Self::Points(points.as_ref())
     }
 }

@@ -13,9 +13,9 @@ pub(crate) use input::{Cosines, Draws, Normals, Pairs};
 pub use input::{Directions, Uniforms};
 pub use instruction_set::InstructionSet;
 pub(crate) use output::Numbers;
-pub use output::{ColorBuffer, DirectionBuffer, SampleBuffer};
+pub use output::{BsdfSampleBuffer, ColorBuffer, DirectionBuffer, SampleBuffer};
 pub use planes::{
-    BLOCK, Block, ColorBlock, CosineBlock, DirectionBlock, DrawBlock, PairBlock, Plane,
+    BLOCK, Block, ColorBlock, CosineBlock, DirectionBlock, DrawBlock, EventBlock, PairBlock, Plane,
     SampleBlock, UniformBlock,
 };
 #[cfg(feature = "rayon")]

@@ -51,6 +51,38 @@ pub struct SampleBuffer<'a, T: Real = f32, C: Color<T> = glam::Vec3> {
     pub pdf: &'a mut [T],
 }
 
+/// Where the samples of a batch over the whole sphere go. All four have the length of the batch.
+#[derive(Debug)]
+pub struct BsdfSampleBuffer<'a, T: Real = f32, C: Color<T> = glam::Vec3> {
+    /// [`BsdfSample::wi`](crate::BsdfSample::wi).
+    pub wi: DirectionBuffer<'a, T>,
+    /// [`BsdfSample::weight`](crate::BsdfSample::weight).
+    pub weight: ColorBuffer<'a, T, C>,
+    /// [`BsdfSample::pdf`](crate::BsdfSample::pdf).
+    pub pdf: &'a mut [T],
+    /// [`BsdfSample::specular`](crate::BsdfSample::specular).
+    pub specular: &'a mut [T::Mask],
+}
+
+impl<'a, T: Real, C: Color<T>> BsdfSampleBuffer<'a, T, C> {
+    /// Where what all samples have goes, and where it goes whether they are specular.
+    #[inline(always)]
+    pub(crate) fn apart(self) -> (SampleBuffer<'a, T, C>, Masks<'a, T>) {
+        let Self { wi, weight, pdf, specular } = self;
+        (SampleBuffer { wi, weight, pdf }, Masks(specular))
+    }
+
+    #[cfg(feature = "rayon")]
+    pub(crate) fn of((samples, specular): (SampleBuffer<'a, T, C>, Masks<'a, T>)) -> Self {
+        let SampleBuffer { wi, weight, pdf } = samples;
+        Self { wi, weight, pdf, specular: specular.0 }
+    }
+}
+
+/// Whether samples are specular: what a batch writes where a block has numbers above 0.
+#[derive(Debug)]
+pub(crate) struct Masks<'a, T: Real>(&'a mut [T::Mask]);
+
 /// Numbers that a batch writes, and what the argument is called in errors.
 #[derive(Debug)]
 pub(crate) struct Numbers<'a, T>(pub(crate) &'a mut [T], pub(crate) &'static str);
@@ -187,6 +219,37 @@ impl<T: Real> Output for Numbers<'_, T> {
     fn split(self, middle: usize) -> (Self, Self) {
         let (first, second) = self.0.split_at_mut(middle);
         (Self(first, self.1), Self(second, self.1))
+    }
+}
+
+impl<T: Real> Output for Masks<'_, T> {
+    type Block = Plane<T>;
+
+    #[inline(always)]
+    fn memory() -> Plane<T> {
+        [T::zero(); BLOCK]
+    }
+
+    fn length(&self) -> Result<Length, BatchError> {
+        Ok(Length::of("samples.specular", self.0.len()))
+    }
+
+    #[inline(always)]
+    fn in_place(&mut self, _: usize) -> Option<&mut Plane<T>> {
+        None
+    }
+
+    #[inline(always)]
+    fn write(&mut self, start: usize, block: &Plane<T>) {
+        for (to, from) in part(self.0, start).iter_mut().zip(block) {
+            *to = from.gt(T::zero());
+        }
+    }
+
+    #[cfg(feature = "rayon")]
+    fn split(self, middle: usize) -> (Self, Self) {
+        let (first, second) = self.0.split_at_mut(middle);
+        (Self(first), Self(second))
     }
 }
 

@@ -126,6 +126,14 @@ impl<'a, T: Real> PairBlock<'a, T> {
         self.vector::<3>(index)
     }
 
+    /// Light and viewer exchanged.
+    #[inline(always)]
+    #[must_use]
+    pub const fn exchanged(&self) -> Self {
+        let [a, b, c, d, e, f] = self.planes;
+        Block { set: self.set, planes: [d, e, f, a, b, c] }
+    }
+
     /// All directions towards the light, and all towards the viewer.
     #[inline(always)]
     #[must_use]
@@ -197,6 +205,38 @@ impl<T: Real> CosineBlock<'_, T> {
     #[must_use]
     pub const fn cos(&self, index: usize) -> T {
         self.planes[0][index]
+    }
+}
+
+/// Viewers over the whole sphere and uniform numbers: [`Bsdf::sample`](crate::Bsdf::sample) for a block.
+#[derive(Clone, Copy, Debug)]
+pub struct EventBlock<'a, T> {
+    /// The viewers, and the two numbers that choose a direction.
+    pub draws: DrawBlock<'a, T>,
+    /// The third number, which chooses the event.
+    pub event: &'a Plane<T>,
+}
+
+impl<'a, T: Real> EventBlock<'a, T> {
+    #[inline(always)]
+    pub(crate) const fn new(Block { set, planes }: Block<'a, T, 6>) -> Self {
+        let [x, y, z, u0, u1, event] = planes;
+        Self { draws: Block { set, planes: [x, y, z, u0, u1] }, event }
+    }
+
+    /// The direction towards the viewer of one of the elements.
+    #[inline(always)]
+    #[must_use]
+    pub fn wo(&self, index: usize) -> T::Vec3 {
+        self.draws.wo(index)
+    }
+
+    /// The uniform numbers of one of the elements.
+    #[inline(always)]
+    #[must_use]
+    pub const fn u(&self, index: usize) -> [T; 3] {
+        let [u0, u1] = self.draws.u(index);
+        [u0, u1, self.event[index]]
     }
 }
 

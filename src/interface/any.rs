@@ -7,6 +7,7 @@ use super::smooth::SmoothDielectric;
 use super::split_schlick::SplitSchlick1994;
 use super::thin::ThinDielectric;
 use crate::any::AnyBrdf;
+use crate::block::{ColorBlock, EventBlock, PairBlock, Plane, SampleBlock};
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::direction::Pair;
 use crate::distribution::{Beckmann, Ggx};
@@ -107,5 +108,38 @@ impl<T: Real, C: Color<T>> Bsdf<T> for AnyBsdf<T, C> {
 
     fn power(&self, wo: T::Vec3) -> Power<C> {
         each!(self, model => model.power(wo))
+    }
+
+    fn eval_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, C>,
+    ) {
+        each!(self, model => model.eval_block(pairs, mode, values));
+    }
+
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, mode: TransportMode, pdf: &mut Plane<T>) {
+        each!(self, model => model.pdf_block(pairs, mode, pdf));
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, C>,
+        pdf: &mut Plane<T>,
+    ) {
+        each!(self, model => model.eval_pdf_block(pairs, mode, values, pdf));
+    }
+
+    fn sample_block(
+        &self,
+        draws: EventBlock<'_, T>,
+        mode: TransportMode,
+        samples: &mut SampleBlock<T, C>,
+        specular: &mut Plane<T>,
+    ) {
+        each!(self, model => model.sample_block(draws, mode, samples, specular));
     }
 }

@@ -1,4 +1,7 @@
+use core::array;
+
 use super::side::Viewer;
+use crate::block::{BLOCK, EventBlock, Plane, SampleBlock};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
 use crate::direction::above_surface;
 use crate::fresnel::Fresnel;
@@ -88,5 +91,45 @@ impl<T: Real, F: Fresnel<T>> Bsdf<T> for Mirror<F> {
 
     fn power(&self, wo: T::Vec3) -> Power<F::Color> {
         self.specular(wo, TransportMode::Importance).power()
+    }
+
+    fn sample_block(
+        &self,
+        draws: EventBlock<'_, T>,
+        _: TransportMode,
+        samples: &mut SampleBlock<T, F::Color>,
+        specular: &mut Plane<T>,
+    ) {
+        let (zero, one) = (T::zero(), T::one());
+        let EventBlock { draws, .. } = draws;
+        let mut cosines = [zero; BLOCK];
+        draws.numbers(
+            array::from_mut(&mut cosines),
+            #[inline(always)]
+            |index| [Viewer::<T>::above(draws.wo(index)).wo.z().at_most(one)],
+        );
+        self.fresnel.reflectance_block(draws.of([&cosines]), &mut samples.weight);
+        for weights in samples.weight.as_mut() {
+            draws.changed(
+                array::from_mut(weights),
+                &mut [],
+                #[inline(always)]
+                |index, [weight]| {
+                    ([weight.only_where(Viewer::<T>::above(draws.wo(index)).exists)], [])
+                },
+            );
+        }
+        let mut numbers = [cosines; 5];
+        draws.numbers(
+            &mut numbers,
+            #[inline(always)]
+            |index| {
+                let viewer = Viewer::<T>::above(draws.wo(index));
+                let wi = viewer.mirrored();
+                [wi.x(), wi.y(), wi.z(), zero, T::select(viewer.exists, one, zero)]
+            },
+        );
+        let [x, y, z, pdf, one_or_zero] = numbers;
+        (samples.wi_pdf, *specular) = ([x, y, z, pdf], one_or_zero);
     }
 }

@@ -1,3 +1,4 @@
+use crate::block::{BLOCK, ColorBlock, EventBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, mean_weight_of_beam, weight_of_beam};
 use crate::bsdf::{Bsdf, BsdfSample, Power, TransportMode};
 use crate::direction::above_surface;
@@ -95,5 +96,58 @@ impl<T: Real, M: Brdf<T>> Bsdf<T> for Opaque<M> {
         };
         let reflectance = reflectance.only_where(above_surface::<T, _>(wo));
         Power { reflectance, transmittance: none }
+    }
+
+    fn eval_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, M::Color>,
+    ) {
+        let pairs = match mode {
+            TransportMode::Radiance => pairs,
+            TransportMode::Importance => pairs.exchanged(),
+        };
+        self.model.eval_block(pairs, values);
+    }
+
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, _: TransportMode, pdf: &mut Plane<T>) {
+        self.model.pdf_block(pairs, pdf);
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, M::Color>,
+        pdf: &mut Plane<T>,
+    ) {
+        match mode {
+            TransportMode::Radiance => self.model.eval_pdf_block(pairs, values, pdf),
+            TransportMode::Importance => {
+                self.eval_block(pairs, mode, values);
+                self.model.pdf_block(pairs, pdf);
+            }
+        }
+    }
+
+    fn sample_block(
+        &self,
+        draws: EventBlock<'_, T>,
+        mode: TransportMode,
+        samples: &mut SampleBlock<T, M::Color>,
+        specular: &mut Plane<T>,
+    ) {
+        if mode == TransportMode::Radiance || self.model.is_reciprocal() {
+            self.model.sample_block(draws.draws, samples);
+            *specular = [T::zero(); BLOCK];
+        } else {
+            draws.samples(
+                samples,
+                specular,
+                #[inline(always)]
+                |index| self.sample(draws.wo(index), draws.u(index), mode),
+            );
+        }
     }
 }

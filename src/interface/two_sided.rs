@@ -1,3 +1,6 @@
+use core::array;
+
+use crate::block::{BLOCK, ColorBlock, EventBlock, PairBlock, Plane, SampleBlock};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
 use crate::direction::{facing, turned_over};
 use crate::real::{Lift, Real, Vector, lift};
@@ -86,4 +89,71 @@ impl<T: Real, M: Bsdf<T>> Bsdf<T> for TwoSided<M> {
     fn power(&self, wo: T::Vec3) -> Power<M::Color> {
         self.model.power(turned_over::<T, _>(wo.z().lt(T::zero()), wo))
     }
+
+    fn eval_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, M::Color>,
+    ) {
+        let turned = turned_pairs(pairs);
+        self.model.eval_block(pairs.of(turned.each_ref()), mode, values);
+    }
+
+    fn pdf_block(&self, pairs: PairBlock<'_, T>, mode: TransportMode, pdf: &mut Plane<T>) {
+        let turned = turned_pairs(pairs);
+        self.model.pdf_block(pairs.of(turned.each_ref()), mode, pdf);
+    }
+
+    fn eval_pdf_block(
+        &self,
+        pairs: PairBlock<'_, T>,
+        mode: TransportMode,
+        values: &mut ColorBlock<T, M::Color>,
+        pdf: &mut Plane<T>,
+    ) {
+        let turned = turned_pairs(pairs);
+        self.model.eval_pdf_block(pairs.of(turned.each_ref()), mode, values, pdf);
+    }
+
+    fn sample_block(
+        &self,
+        draws: EventBlock<'_, T>,
+        mode: TransportMode,
+        samples: &mut SampleBlock<T, M::Color>,
+        specular: &mut Plane<T>,
+    ) {
+        let EventBlock { draws, event } = draws;
+        let [x, y, z, u0, u1] = draws.planes;
+        let mut up = [T::zero(); BLOCK];
+        let zero = T::zero();
+        draws.numbers(
+            array::from_mut(&mut up),
+            #[inline(always)]
+            |index| [T::select(z[index].lt(zero), -z[index], z[index])],
+        );
+        let turned = EventBlock { draws: draws.of([x, y, &up, u0, u1]), event };
+        self.model.sample_block(turned, mode, samples, specular);
+        draws.changed(
+            &mut samples.wi_pdf,
+            &mut [],
+            #[inline(always)]
+            |index, [x, y, up, pdf]| ([x, y, T::select(z[index].lt(zero), -up, up), pdf], []),
+        );
+    }
+}
+
+/// Pairs turned over where the viewer is below the surface.
+#[inline(never)]
+fn turned_pairs<T: Real>(pairs: PairBlock<'_, T>) -> [Plane<T>; 6] {
+    let mut turned = [[T::zero(); BLOCK]; 6];
+    pairs.numbers(
+        &mut turned,
+        #[inline(always)]
+        |index| {
+            let (_, [wi, wo]) = facing::<T>(pairs.wi(index), pairs.wo(index));
+            [wi.x(), wi.y(), wi.z(), wo.x(), wo.y(), wo.z()]
+        },
+    );
+    turned
 }

@@ -8,7 +8,8 @@ use super::error::ShaderError;
 use super::expr::Expr;
 use super::module::Module;
 use super::parameters::{Binding, Parameters, Uniforms};
-use crate::description::BrdfDescription;
+use crate::bsdf::TransportMode;
+use crate::description::{BrdfDescription, BsdfDescription, DescriptionError, Path};
 use crate::real::Vector;
 
 impl Module {
@@ -50,12 +51,40 @@ impl Module {
         description: &BrdfDescription,
         binding: Binding,
     ) -> Result<Uniforms, ShaderError> {
-        let given = Given::of(description)?;
-        self.add_with(name, binding, |parameters| {
-            let symbols = given.symbols(parameters);
-            description.build_with(|path, value| {
-                symbols.get(&path.to_string()).copied().unwrap_or_else(|| value.into())
-            })
+        let given = Given::of(|number| description.build_with(number).map(|_| ()))?;
+        self.add_with(name, binding, |parameters| description.build_with(given.symbols(parameters)))
+    }
+
+    /// Adds the functions of a described model over the whole sphere whose parameters are constants:
+    /// [`add_bsdf`](Self::add_bsdf) as [`add_described`](Self::add_described).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn add_described_bsdf(
+        &mut self,
+        name: &str,
+        description: &BsdfDescription,
+        mode: TransportMode,
+    ) -> Result<(), ShaderError> {
+        self.add_bsdf(name, &description.build::<Expr>()?, mode)
+    }
+
+    /// Adds the functions of a described model over the whole sphere whose parameters come from a uniform
+    /// buffer: [`add_bsdf_with`](Self::add_bsdf_with) as
+    /// [`add_described_with`](Self::add_described_with).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn add_described_bsdf_with(
+        &mut self,
+        name: &str,
+        description: &BsdfDescription,
+        mode: TransportMode,
+        binding: Binding,
+    ) -> Result<Uniforms, ShaderError> {
+        let given = Given::of(|number| description.build_with(number).map(|_| ()))?;
+        self.add_bsdf_with(name, mode, binding, |parameters| {
+            description.build_with(given.symbols(parameters))
         })
     }
 }
@@ -72,9 +101,12 @@ struct One {
 struct Given(Vec<One>);
 
 impl Given {
-    fn of(description: &BrdfDescription) -> Result<Self, ShaderError> {
+    /// Of a description that is built of numbers by their places.
+    fn of(
+        build: impl FnOnce(&mut dyn FnMut(&Path<'_>, f64) -> f64) -> Result<(), DescriptionError>,
+    ) -> Result<Self, ShaderError> {
         let mut parameters: Vec<One> = Vec::new();
-        description.build_with(|path, value| {
+        build(&mut |path, value| {
             let text = path.to_string();
             let is_component = text.ends_with(']');
             let whole = text.rsplit_once('[').filter(|_| is_component).map_or(&*text, |it| it.0);
@@ -105,8 +137,9 @@ impl Given {
         names.next().unwrap_or(steps).join("_")
     }
 
-    /// A field for each parameter, and the symbols of its numbers by their places.
-    fn symbols(&self, parameters: &mut Parameters) -> BTreeMap<String, Expr> {
+    /// A field for each parameter, and the symbols of its numbers by their places; the value of what has
+    /// none.
+    fn symbols(&self, parameters: &mut Parameters) -> impl FnMut(&Path<'_>, f64) -> Expr + use<> {
         let mut symbols = BTreeMap::new();
         for One { steps, numbers } in &self.0 {
             let name = self.name(steps);
@@ -123,6 +156,6 @@ impl Given {
             let places = numbers.iter().map(|(place, _)| place.clone());
             symbols.extend(places.zip(fields));
         }
-        symbols
+        move |path, value| symbols.get(&path.to_string()).copied().unwrap_or_else(|| value.into())
     }
 }

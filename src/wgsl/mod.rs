@@ -46,6 +46,7 @@ mod print;
 mod simplify;
 #[cfg(test)]
 mod tests;
+mod traced;
 mod value;
 
 pub use error::ShaderError;

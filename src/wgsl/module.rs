@@ -9,15 +9,16 @@ use core::fmt::{self, Write};
 use super::error::ShaderError;
 use super::expr::{Expr, ExprVec3};
 use super::function::{Answer, Arguments};
-use super::graph::{Graph, input, session};
+use super::graph::{Graph, session};
 use super::literal::LARGEST;
 use super::name::checked;
 use super::parameters::{Binding, Parameters, Uniforms};
 use super::prelude::Function;
 use super::print::{Body, print};
-use super::simplify::component;
+use super::traced::{Kind, Traced};
 use super::value::Width;
-use crate::brdf::{Brdf, Sample};
+use crate::brdf::Brdf;
+use crate::bsdf::{Bsdf, TransportMode};
 use crate::quadrature::{LATTICE, ROW, STEP};
 
 /// A piece of WGSL: functions of models, and the elementary functions that these use.
@@ -46,7 +47,7 @@ pub struct Module {
     names: BTreeSet<String>,
     bindings: Vec<Binding>,
     functions: BTreeSet<Function>,
-    samples: bool,
+    samples: BTreeSet<Kind>,
     text: String,
 }
 
@@ -65,9 +66,44 @@ impl Module {
     where
         M: Brdf<Expr, Color = ExprVec3>,
     {
-        let (results, graph) = session(|| Traced::new(model));
+        self.traced(name, || Traced::brdf(model))
+    }
+
+    /// Adds the functions of a model over the whole sphere for one of the modes: as [`add`](Self::add),
+    /// but that `NAME_sample` takes three uniform numbers and says whether what it drew is a specular
+    /// lobe.
+    ///
+    /// ```
+    /// use brdf::wgsl::Module;
+    /// use brdf::{Ggx, Lift, RoughDielectric, TransportMode};
+    ///
+    /// let frosted = RoughDielectric::new(Ggx::new(0.3_f32)?, 1.5)?.lift(|number| number.into());
+    /// let mut module = Module::new();
+    /// module.add_bsdf("frosted", &frosted, TransportMode::Radiance)?;
+    /// module.add_bsdf("frosted_importance", &frosted, TransportMode::Importance)?;
+    /// let text = module.to_string();
+    /// assert!(text.contains("fn frosted_sample(wo: vec3<f32>, u: vec3<f32>) -> BsdfSample {"));
+    /// # Ok::<(), brdf::wgsl::ShaderError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`add`](Self::add).
+    pub fn add_bsdf<M>(
+        &mut self,
+        name: &str,
+        model: &M,
+        mode: TransportMode,
+    ) -> Result<(), ShaderError>
+    where
+        M: Bsdf<Expr, Color = ExprVec3>,
+    {
+        self.traced(name, || Traced::bsdf(model, mode))
+    }
+
+    fn traced(&mut self, name: &str, trace: impl FnOnce() -> Traced) -> Result<(), ShaderError> {
+        let (results, graph) = session(trace);
         self.claim(Names::model(name)?, &graph)?;
-        self.functions_of(name, &results, &graph);
+        self.functions_of(name, results, &graph);
         Ok(())
     }
 
@@ -106,17 +142,46 @@ impl Module {
         M: Brdf<Expr, Color = ExprVec3>,
         E: Into<ShaderError>,
     {
+        self.traced_with(name, binding, make, Traced::brdf)
+    }
+
+    /// Adds the functions of a model over the whole sphere whose parameters come from a uniform buffer:
+    /// [`add_bsdf`](Self::add_bsdf) as [`add_with`](Self::add_with).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn add_bsdf_with<M, E>(
+        &mut self,
+        name: &str,
+        mode: TransportMode,
+        binding: Binding,
+        make: impl FnOnce(&mut Parameters) -> Result<M, E>,
+    ) -> Result<Uniforms, ShaderError>
+    where
+        M: Bsdf<Expr, Color = ExprVec3>,
+        E: Into<ShaderError>,
+    {
+        self.traced_with(name, binding, make, |model| Traced::bsdf(model, mode))
+    }
+
+    fn traced_with<M, E: Into<ShaderError>>(
+        &mut self,
+        name: &str,
+        binding: Binding,
+        make: impl FnOnce(&mut Parameters) -> Result<M, E>,
+        trace: impl FnOnce(&M) -> Traced,
+    ) -> Result<Uniforms, ShaderError> {
         let (traced, graph) = session(|| {
             let mut parameters = Parameters::new(format!("{name}_parameters"));
             let model = make(&mut parameters).map_err(Into::into)?;
             let uniforms = parameters.done()?;
-            Ok::<_, ShaderError>((Traced::new(&model), uniforms))
+            Ok::<_, ShaderError>((trace(&model), uniforms))
         });
         let (results, uniforms) = traced?;
         self.check_free(binding, &uniforms)?;
         self.claim(Names::model(name)?.with_parameters(), &graph)?;
         self.structure(name, binding, &uniforms);
-        self.functions_of(name, &results, &graph);
+        self.functions_of(name, results, &graph);
         Ok(uniforms)
     }
 
@@ -271,8 +336,8 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
         );
     }
 
-    fn functions_of(&mut self, name: &str, results: &Traced, graph: &Graph) {
-        let Traced { eval, pdf, sample } = results;
+    fn functions_of(&mut self, name: &str, results: Traced, graph: &Graph) {
+        let Traced { kind, eval, pdf, sample } = results;
         self.function(Signature {
             comment: "f(wi, wo) per steradian, without the cosine.",
             name: &format!("{name}_eval"),
@@ -289,20 +354,15 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
             body: &print(graph, &[(pdf.0, Width::One)]),
             parts: &[],
         });
-        let parts = [
-            (sample.wi.0, Width::Three),
-            (sample.weight.0, Width::Three),
-            (sample.pdf.0, Width::One),
-        ];
         self.function(Signature {
-            comment: "A direction towards the light for wo, from two uniform numbers in 0 .. 1.",
+            comment: kind.comment(),
             name: &format!("{name}_sample"),
-            arguments: "wo: vec3<f32>, u: vec2<f32>",
-            result: "BrdfSample",
-            body: &print(graph, &parts),
-            parts: &["wi", "weight", "pdf"],
+            arguments: kind.arguments(),
+            result: kind.name(),
+            body: &print(graph, &sample),
+            parts: kind.parts(),
         });
-        self.samples = true;
+        self.samples.insert(kind);
     }
 
     fn function(&mut self, signature: Signature<'_>) {
@@ -373,23 +433,6 @@ struct Signature<'a> {
 
 const PAIR: &str = "wi: vec3<f32>, wo: vec3<f32>";
 
-/// What the functions of a model answer to symbols.
-struct Traced {
-    eval: ExprVec3,
-    pdf: Expr,
-    sample: Sample<Expr, ExprVec3>,
-}
-
-impl Traced {
-    fn new<M: Brdf<Expr, Color = ExprVec3>>(model: &M) -> Self {
-        let direction = |name: &str| ExprVec3(input(name.into(), Width::Three));
-        let (wi, wo) = (direction("wi"), direction("wo"));
-        let u = input("u".into(), Width::Two);
-        let u = [0, 1].map(|place| Expr(component(u, place)));
-        Self { eval: model.eval(wi, wo), pdf: model.pdf(wi, wo), sample: model.sample(wo, u) }
-    }
-}
-
 /// `RedClay` for `red_clay`.
 fn camel_case(name: &str) -> String {
     let word = |word: &str| {
@@ -412,20 +455,9 @@ impl fmt::Display for Module {
             f.write_str("\n")?;
             f.write_str(function.text())?;
         }
-        if self.samples {
-            f.write_str(SAMPLE)?;
+        for kind in &self.samples {
+            f.write_str(kind.structure())?;
         }
         f.write_str(&self.text)
     }
 }
-
-const SAMPLE: &str = "
-struct BrdfSample {
-    // Towards the light.
-    wi: vec3<f32>,
-    // f cos/pdf; zero where there is no direction.
-    weight: vec3<f32>,
-    // Per steradian.
-    pdf: f32,
-}
-";

@@ -7,6 +7,7 @@ pub mod directions;
 pub mod distributions;
 pub mod faulty;
 pub mod fits;
+pub mod interfaces;
 pub mod measure;
 pub mod models;
 pub mod mutation;

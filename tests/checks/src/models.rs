@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 
 use brdf::description::BrdfDescription;
 use brdf::{AnyBrdf, Brdf, Color, Lanes, Lift, Real, Sample};
-use serde::{Deserialize, Deserializer};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
 use crate::faulty::Faulty;
@@ -157,7 +158,7 @@ pub fn single_lanes() -> [Vec<Entry<Lanes<f32, 4>>>; 2] {
 
 /// All models over numbers that err; built anew, with the fault that is armed.
 pub fn faulty() -> Vec<Entry<Faulty>> {
-    all(Row::one_by_one)
+    all(Row::faulty)
 }
 
 fn all<T: Real>(entry: impl Fn(&'static Row) -> Entry<T>) -> Vec<Entry<T>> {
@@ -197,6 +198,11 @@ impl Row {
         self.one_by_one()
     }
 
+    /// The model over numbers that err, with the fault that is armed.
+    pub fn faulty(&'static self) -> Entry<Faulty> {
+        self.one_by_one()
+    }
+
     fn whole<T: Compiled>(&'static self) -> Entry<T> {
         self.entry(T::object(self.build()))
     }
@@ -222,9 +228,7 @@ impl Row {
 
     /// What the form of its description is called.
     pub fn form(&self) -> String {
-        let value = serde_json::to_value(&self.brdf).expect("a description can be written");
-        let form = value.as_object().and_then(|form| form.keys().next());
-        form.expect("a form has a name").clone()
+        form(&self.brdf)
     }
 
     /// What is written in its description: names of forms, keys and words, with the defaults of keys
@@ -248,7 +252,9 @@ impl Row {
 }
 
 /// A description whose numbers are such that `f32` and `f64` round them alike.
-fn rounded<'de, D: Deserializer<'de>>(from: D) -> Result<BrdfDescription, D::Error> {
+pub(crate) fn rounded<'de, P: DeserializeOwned, D: Deserializer<'de>>(
+    from: D,
+) -> Result<P, D::Error> {
     let mut value = Value::deserialize(from)?;
     round(&mut value);
     serde_json::from_value(value).map_err(serde::de::Error::custom)
@@ -265,6 +271,13 @@ fn round(value: &mut Value) {
         Value::Object(keys) => keys.values_mut().for_each(round),
         Value::Null | Value::Bool(_) | Value::String(_) => {}
     }
+}
+
+/// What the form of a description is called.
+pub(crate) fn form(description: &impl Serialize) -> String {
+    let value = serde_json::to_value(description).expect("a description can be written");
+    let form = value.as_object().and_then(|form| form.keys().next());
+    form.expect("a form has a name").clone()
 }
 
 fn collect_words(value: &Value, found: &mut BTreeSet<String>) {

@@ -21,6 +21,12 @@ impl From<Faulty> for f64 {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FaultyMask(bool);
 
+impl From<FaultyMask> for bool {
+    fn from(mask: FaultyMask) -> Self {
+        mask.0
+    }
+}
+
 #[inline(always)]
 #[track_caller]
 fn mask(operation: Operation, left: f64, right: f64, truth: bool) -> FaultyMask {

@@ -2,8 +2,8 @@
 
 use std::array;
 
-use brdf::description::{BrdfDescription, DescriptionError, Path};
-use brdf::{AnyBrdf, Brdf, Dual, Real, Vector, Vector3};
+use brdf::description::{BrdfDescription, BsdfDescription, DescriptionError, Path};
+use brdf::{AnyBrdf, AnyBsdf, Brdf, Bsdf, Dual, Real, TransportMode, Vector, Vector3};
 use glam::DVec3;
 
 use super::differences::{Difference, STEPS, Steps};
@@ -36,6 +36,8 @@ pub struct Question {
     pub wi: DVec3,
     pub wo: DVec3,
     pub u: [f64; 2],
+    /// The number that chooses the event, over the whole sphere.
+    pub event: f64,
     /// Whether its albedo is asked for too.
     pub albedo: bool,
     /// Whether the answer is smooth there, so that differences can tell its derivatives. Elsewhere they
@@ -50,14 +52,15 @@ pub fn questions(count: usize, albedos: usize) -> Vec<Question> {
     let mut all: Vec<Question> = (pairs(count).into_iter().enumerate())
         .map(|(index, (wi, wo))| {
             let u = [part(index, 0.618033988), part(index, 0.754877666)];
-            Question { wi, wo, u, albedo: index < albedos, compared: true }
+            let event = part(index, 0.569840291);
+            Question { wi, wo, u, event, albedo: index < albedos, compared: true }
         })
         .collect();
     let steep = [DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.6, 0.0, 0.8), DVec3::new(0.0, 0.6, 0.8)];
     for wi in steep.into_iter().chain([DVec3::Z]) {
         for wo in steep.into_iter().chain([DVec3::Z]) {
             let albedo = albedos > 0 && wi == DVec3::Z;
-            all.push(Question { wi, wo, u: [0.3, 0.7], albedo, compared: true });
+            all.push(Question { wi, wo, u: [0.3, 0.7], event: 0.5, albedo, compared: true });
         }
     }
     let ends = [
@@ -79,10 +82,22 @@ pub fn questions(count: usize, albedos: usize) -> Vec<Question> {
             let u = [none[index % 3], last[other % 3]];
             let u = if (index + other) % 2 == 0 { u } else { [u[1], u[0]] };
             let albedo = albedos > 0 && other == 0;
-            all.push(Question { wi, wo, u, albedo, compared: false });
+            all.push(Question { wi, wo, u, event: u[0], albedo, compared: false });
         }
     }
     all
+}
+
+/// Questions over the whole sphere: the same, with either direction, both or none turned over.
+pub fn questions_over_sphere(count: usize) -> Vec<Question> {
+    let over = |turned: bool, w: DVec3| if turned { DVec3::new(w.x, w.y, -w.z) } else { w };
+    let all = questions(count, 0).into_iter().enumerate();
+    all.map(|(index, at)| Question {
+        wi: over(index & 1 > 0, at.wi),
+        wo: over(index & 2 > 0, at.wo),
+        ..at
+    })
+    .collect()
 }
 
 type One = Dual<f64, 1>;
@@ -100,36 +115,99 @@ const NAMES: [&str; 14] = [
     "sample.weight.x",
     "sample.weight.y",
     "sample.weight.z",
-    "albedo.x",
-    "albedo.y",
-    "albedo.z",
+    "albedo or lobes.x",
+    "albedo or lobes.y",
+    "albedo or lobes.z",
 ];
 type Answers<T> = [T; NAMES.len()];
 
-#[inline(never)]
-fn answers<T: Real>(model: &AnyBrdf<T>, wi: T::Vec3, wo: T::Vec3, at: &Question) -> Answers<T> {
-    let (value, pdf) = (model.eval(wi, wo), model.pdf(wi, wo));
-    let sample = model.sample(wo, at.u.map(T::lit));
-    let none = Vector::new(T::zero(), T::zero(), T::zero());
-    let albedo: T::Vec3 = if at.albedo { model.albedo(wo) } else { none };
+/// A description whose model is asked.
+pub trait Described {
+    type Model<T: Real>;
+
+    /// The model of numbers that are made of the values and their places.
+    ///
+    /// # Errors
+    /// If a number is not in its range.
+    fn model<T: Real>(
+        &self,
+        number: impl FnMut(&Path<'_>, f64) -> T,
+    ) -> Result<Self::Model<T>, DescriptionError>;
+
+    /// Its value, density and sample, and one colour more.
+    fn ask<T: Real>(model: &Self::Model<T>, wi: T::Vec3, wo: T::Vec3, at: &Question) -> Asked<T>;
+}
+
+/// What a model answers to a question: value, density, the direction, weight and density of a sample, and
+/// the albedo, or the specular lobes.
+pub struct Asked<T: Real>(T::Vec3, T, [T::Vec3; 2], T, T::Vec3);
+
+impl Described for BrdfDescription {
+    type Model<T: Real> = AnyBrdf<T>;
+
+    fn model<T: Real>(
+        &self,
+        number: impl FnMut(&Path<'_>, f64) -> T,
+    ) -> Result<AnyBrdf<T>, DescriptionError> {
+        self.build_with(number)
+    }
+
+    #[inline(never)]
+    fn ask<T: Real>(model: &AnyBrdf<T>, wi: T::Vec3, wo: T::Vec3, at: &Question) -> Asked<T> {
+        let sample = model.sample(wo, at.u.map(T::lit));
+        let none = Vector::new(T::zero(), T::zero(), T::zero());
+        let albedo: T::Vec3 = if at.albedo { model.albedo(wo) } else { none };
+        let (value, pdf) = (model.eval(wi, wo), model.pdf(wi, wo));
+        Asked(value, pdf, [sample.wi, sample.weight], sample.pdf, albedo)
+    }
+}
+
+impl Described for BsdfDescription {
+    type Model<T: Real> = AnyBsdf<T>;
+
+    fn model<T: Real>(
+        &self,
+        number: impl FnMut(&Path<'_>, f64) -> T,
+    ) -> Result<AnyBsdf<T>, DescriptionError> {
+        self.build_with(number)
+    }
+
+    #[inline(never)]
+    fn ask<T: Real>(model: &AnyBsdf<T>, wi: T::Vec3, wo: T::Vec3, at: &Question) -> Asked<T> {
+        let mode = TransportMode::Radiance;
+        let [x, y] = at.u.map(T::lit);
+        let sample = model.sample(wo, [x, y, T::lit(at.event)], mode);
+        let lobes = model.specular(wo, mode);
+        let lobes = lobes.reflected.weight + lobes.transmitted.weight * T::lit(0.5);
+        let (value, pdf) = model.eval_pdf(wi, wo, mode);
+        Asked(value, pdf, [sample.wi, sample.weight], sample.pdf, lobes)
+    }
+}
+
+fn answers<D: Described, T: Real>(
+    model: &D::Model<T>,
+    wi: T::Vec3,
+    wo: T::Vec3,
+    at: &Question,
+) -> Answers<T> {
+    let Asked(value, pdf, [drawn, weight], density, last) = D::ask(model, wi, wo, at);
     let mut all = [T::zero(); NAMES.len()];
-    let vectors = [value, sample.wi, sample.weight, albedo];
-    for (start, vector) in [0, 5, 8, 11].into_iter().zip(vectors) {
+    for (start, vector) in [0, 5, 8, 11].into_iter().zip([value, drawn, weight, last]) {
         all[start..start + 3].copy_from_slice(&[vector.x(), vector.y(), vector.z()]);
     }
-    (all[3], all[4]) = (pdf, sample.pdf);
+    (all[3], all[4]) = (pdf, density);
     all
 }
 
 /// Compares derivatives of all answers by every number of the description and both directions with
 /// differences of the answers in `f64`.
-pub fn derivatives(described: &BrdfDescription, questions: &[Question]) -> Derivatives {
+pub fn derivatives<D: Described>(described: &D, questions: &[Question]) -> Derivatives {
     let mut result = Derivatives::default();
     for parameter in parameters(described) {
         result.by_parameter(described, &parameter, questions);
     }
-    match (described.build::<One>(), described.build::<f64>()) {
-        (Ok(model), Ok(plain)) => result.by_directions(&model, &plain, questions),
+    match (described.model(|_, value| One::lit(value)), described.model(|_, value| value)) {
+        (Ok(model), Ok(plain)) => result.by_directions::<D>(&model, &plain, questions),
         _ => result.faults.push("not built".into()),
     }
     result
@@ -142,9 +220,9 @@ struct Parameter {
     value: f64,
 }
 
-fn parameters(described: &BrdfDescription) -> Vec<Parameter> {
+fn parameters(described: &impl Described) -> Vec<Parameter> {
     let mut found = Vec::new();
-    let built = described.build_with(|path, value| {
+    let built = described.model(|path, value| {
         found.push(Parameter { place: found.len(), path: path.to_string(), value });
         value
     });
@@ -152,13 +230,13 @@ fn parameters(described: &BrdfDescription) -> Vec<Parameter> {
 }
 
 /// One of the numbers made by a function, the others constant.
-fn built<T: Real>(
-    described: &BrdfDescription,
+fn built<D: Described, T: Real>(
+    described: &D,
     parameter: &Parameter,
     change: impl Fn(f64) -> T,
-) -> Result<AnyBrdf<T>, DescriptionError> {
+) -> Result<D::Model<T>, DescriptionError> {
     let mut place = 0;
-    described.build_with(|_: &Path<'_>, value| {
+    described.model(|_: &Path<'_>, value| {
         place += 1;
         if place - 1 == parameter.place { change(value) } else { T::lit(value) }
     })
@@ -179,9 +257,9 @@ struct By<'a> {
 }
 
 impl Derivatives {
-    fn by_parameter(
+    fn by_parameter<D: Described>(
         &mut self,
-        described: &BrdfDescription,
+        described: &D,
         parameter: &Parameter,
         questions: &[Question],
     ) {
@@ -195,19 +273,19 @@ impl Derivatives {
         let moved = steps.map(|step| built(described, parameter, |value| value + step).ok());
         let by = By { name: &parameter.path, size, turned: None };
         for at in questions {
-            let dual = answers(&model, Dual::vector(at.wi), Dual::vector(at.wo), at);
+            let dual = answers::<D, _>(&model, Dual::vector(at.wi), Dual::vector(at.wo), at);
             let plain = array::from_fn(|step| {
                 let model = moved[step].as_ref().filter(|_| at.compared || step == 0)?;
-                Some(answers(model, at.wi, at.wo, at))
+                Some(answers::<D, _>(model, at.wi, at.wo, at))
             });
             self.compare(&by, at, &dual, &steps, &plain);
         }
     }
 
-    fn by_directions(
+    fn by_directions<D: Described>(
         &mut self,
-        model: &AnyBrdf<One>,
-        plain: &AnyBrdf<f64>,
+        model: &D::Model<One>,
+        plain: &D::Model<f64>,
         questions: &[Question],
     ) {
         let steps = Steps::of(0.02);
@@ -222,13 +300,13 @@ impl Derivatives {
                         Turned::Light => (turn(at.wi, tangent, step), at.wo),
                         Turned::Viewer => (at.wi, turn(at.wo, tangent, step)),
                     };
-                    Some(answers(plain, wi, wo, at))
+                    Some(answers::<D, _>(plain, wi, wo, at))
                 });
                 let (wi, wo) = match turned {
                     Turned::Light => (along(at.wi, tangent), One::vector(at.wo)),
                     Turned::Viewer => (One::vector(at.wi), along(at.wo, tangent)),
                 };
-                let dual = answers(model, wi, wo, at);
+                let dual = answers::<D, _>(model, wi, wo, at);
                 let by = By { name: way, size: 1.0, turned: Some(turned) };
                 self.compare(&by, at, &dual, &steps, &moved);
             }

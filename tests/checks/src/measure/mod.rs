@@ -13,6 +13,7 @@ pub mod normalization;
 pub mod precision;
 pub mod reciprocity;
 pub mod sampling;
+pub mod sphere;
 
 /// A model as it is measured.
 pub type Model64 = dyn Brdf<f64, Color = DVec3>;

@@ -9,12 +9,12 @@ use glam::DVec3;
 
 use super::laws;
 use crate::faulty::{Fault, Faulty, Place, Seeded, armed, record};
+use crate::interfaces;
 use crate::models::{self, Promises};
 use crate::values::{self, Check, Verdict};
 
 /// A model of the registry with what it promises.
 pub struct Subject {
-    pub name: &'static str,
     pub model: Box<dyn Brdf<f64, Color = DVec3>>,
     pub promises: &'static Promises,
 }
@@ -49,10 +49,27 @@ impl fmt::Display for Killer {
     }
 }
 
+/// What an entry of a list of models computes where, when it is built and when it answers.
+struct Reached {
+    built: BTreeSet<Place>,
+    answered: BTreeSet<Place>,
+}
+
+impl Reached {
+    fn contains(&self, place: &Place) -> bool {
+        self.built.contains(place) || self.answered.contains(place)
+    }
+
+    fn places(&self) -> impl Iterator<Item = &Place> {
+        self.built.iter().chain(&self.answered)
+    }
+}
+
 /// All checks, with the places of the source that each of them reaches.
 pub struct Suite {
     formulas: Vec<(Check, BTreeSet<Place>)>,
-    models: Vec<BTreeSet<Place>>,
+    models: Vec<Reached>,
+    interfaces: Vec<Reached>,
 }
 
 impl Suite {
@@ -60,24 +77,33 @@ impl Suite {
     pub fn recorded() -> Self {
         let formulas = values::faulty().into_iter();
         let formulas = formulas.map(|check| (check, record(|| drop(check.1()))));
-        let probe = |entry: &models::Entry<Faulty>| {
-            let subject = Seeded { model: &*entry.model, fault: None };
-            record(|| laws::probe(&subject))
+        let model = |row: &'static models::Row| {
+            let built = record(|| drop(row.faulty()));
+            let subject = Subject::new(row, None);
+            Reached { built, answered: record(|| laws::probe(&*subject.model)) }
         };
-        Self { formulas: formulas.collect(), models: models::faulty().iter().map(probe).collect() }
+        let interface = |row: &'static interfaces::Row| {
+            let built = record(|| drop(row.entry::<Faulty>()));
+            let entry = seeded(row, None);
+            Reached { built, answered: record(|| interfaces::laws::probe(&entry)) }
+        };
+        Self {
+            formulas: formulas.collect(),
+            models: models::rows().iter().map(model).collect(),
+            interfaces: interfaces::rows().iter().map(interface).collect(),
+        }
     }
 
     /// Whether an answer of the model at this place of the registry depends on a place of the source.
     pub fn reaches(&self, model: usize, place: &Place) -> bool {
-        self.models[model].contains(place)
+        self.models[model].answered.contains(place)
     }
 
     /// Every place that some check reaches.
     pub fn places(&self) -> BTreeSet<Place> {
-        let constructors = record(|| drop(models::faulty()));
         let of_formulas = self.formulas.iter().flat_map(|(_, places)| places);
-        let of_models = self.models.iter().flatten();
-        of_formulas.chain(of_models).copied().chain(constructors).collect()
+        let of_models = self.models.iter().chain(&self.interfaces).flat_map(Reached::places);
+        of_formulas.chain(of_models).copied().collect()
     }
 
     /// The checks that reject the crate with a fault in it: the first one, or all.
@@ -107,40 +133,69 @@ impl Suite {
 
     /// The laws that a model breaks, each with the first model that does.
     fn lawbreakers(&self, fault: Option<&'static Fault>, exhaustive: bool) -> Vec<Killer> {
-        let built = catch_unwind(|| armed(fault, models::faulty));
-        let Ok(entries) = built else {
-            let message = "a constructor refuses its parameters".to_owned();
-            return vec![Killer { check: "the registry can be built", model: None, message }];
-        };
-        // A place that no answer of a model reaches may lie in its constructor.
-        let reached =
-            |places: &BTreeSet<Place>| fault.is_none_or(|fault| places.contains(&fault.place));
-        let any = self.models.iter().any(reached);
-        let touched = entries.into_iter().zip(&self.models);
-        let touched: Vec<_> = touched.filter(|(_, places)| !any || reached(places)).collect();
-        let step = if exhaustive || !any { 1 } else { touched.len().div_ceil(ENOUGH).max(1) };
-        let subjects: Vec<_> = touched
-            .into_iter()
-            .step_by(step)
-            .map(|(entry, _)| Subject {
-                name: entry.name,
-                promises: entry.promises,
-                model: Box::new(Seeded { model: entry.model, fault }),
-            })
-            .collect();
-        let mut killers = Vec::new();
-        for (check, law) in LAWS {
-            let broken = subjects.iter().find_map(|subject| {
-                let message = quietly(|| law(subject)).err()?;
-                Some(Killer { check, model: Some(subject.name), message })
-            });
-            killers.extend(broken);
-            if !exhaustive && !killers.is_empty() {
-                break;
-            }
+        let rows = touched(models::rows(), &self.models, fault, exhaustive);
+        let build = |row| Subject::new(row, fault);
+        let mut killers = broken(&rows, &LAWS, build, |row| &row.name, exhaustive);
+        if exhaustive || killers.is_empty() {
+            let rows = touched(interfaces::rows(), &self.interfaces, fault, exhaustive);
+            let (build, laws) = (|row| seeded(row, fault), &interfaces::laws::LAWS);
+            killers.extend(broken(&rows, laws, build, |row| &row.name, exhaustive));
         }
         killers
     }
+}
+
+impl Subject {
+    fn new(row: &'static models::Row, fault: Option<&'static Fault>) -> Self {
+        let model = Seeded { model: armed(fault, || row.faulty()).model, fault };
+        Self { promises: &row.promises, model: Box::new(model) }
+    }
+}
+
+/// A model over the whole sphere whose answers are those of numbers that err.
+fn seeded(row: &'static interfaces::Row, fault: Option<&'static Fault>) -> interfaces::Entry<f64> {
+    let entry = armed(fault, || row.entry::<Faulty>());
+    interfaces::Entry {
+        row,
+        model: Box::new(Seeded { model: entry.model, fault }),
+        two_sided: Box::new(Seeded { model: entry.two_sided, fault }),
+    }
+}
+
+/// The models that a fault touches; not all of them where one check that fails is enough.
+fn touched<R>(
+    rows: &'static [R],
+    reached: &[Reached],
+    fault: Option<&'static Fault>,
+    exhaustive: bool,
+) -> Vec<&'static R> {
+    let touched = |reached: &Reached| fault.is_none_or(|fault| reached.contains(&fault.place));
+    let rows = rows.iter().zip(reached).filter(|(_, reached)| touched(reached));
+    let rows: Vec<_> = rows.map(|(row, _)| row).collect();
+    let step = if exhaustive { 1 } else { rows.len().div_ceil(ENOUGH).max(1) };
+    rows.into_iter().step_by(step).collect()
+}
+
+/// The laws that models break, each with the first model that does: one, or all.
+fn broken<R, S>(
+    rows: &[&'static R],
+    laws: &[(&'static str, fn(&S) -> Verdict)],
+    build: impl Fn(&'static R) -> S,
+    name: impl Fn(&'static R) -> &'static str,
+    exhaustive: bool,
+) -> Vec<Killer> {
+    let build = |row: &&'static R| catch_unwind(AssertUnwindSafe(|| (*row, build(row))));
+    let Ok(subjects) = rows.iter().map(build).collect::<Result<Vec<_>, _>>() else {
+        let message = "a constructor refuses its parameters".to_owned();
+        return vec![Killer { check: "the registry can be built", model: None, message }];
+    };
+    let found = laws.iter().filter_map(|&(check, law)| {
+        subjects.iter().find_map(|(row, subject)| {
+            let message = quietly(|| law(subject)).err()?;
+            Some(Killer { check, model: Some(name(row)), message })
+        })
+    });
+    found.take(if exhaustive { usize::MAX } else { 1 }).collect()
 }
 
 /// The verdict of a check; a panic is one too.

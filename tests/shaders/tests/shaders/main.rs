@@ -3,5 +3,6 @@
 mod device;
 mod ends;
 mod gradients;
+mod interfaces;
 mod prelude;
 mod text;

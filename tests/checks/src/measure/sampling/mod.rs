@@ -4,7 +4,7 @@
 mod chart;
 pub mod chi_squared;
 mod cubature;
-mod draws;
+pub mod draws;
 mod failure;
 mod lines;
 mod partition;
