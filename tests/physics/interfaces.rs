@@ -148,7 +148,8 @@ fn a_beam_meets_a_model_that_is_not_reciprocal_the_other_way() {
     for theta in [0.2, 0.5, 0.9, 1.2] {
         let wo: DVec3 = from_spherical(theta, 0.0);
         for index in 0..1000 {
-            let u = [0.754_877_666, 0.569_840_291, 0.0].map(|step: f64| (f64::from(index) * step).fract());
+            let u = [0.754_877_666, 0.569_840_291, 0.0]
+                .map(|step: f64| (f64::from(index) * step).fract());
             let BsdfSample { wi, weight, pdf, .. } =
                 opaque.sample(wo, u, TransportMode::Importance);
             if pdf > 0.0 {
