@@ -74,7 +74,7 @@ use crate::real::{Color, Lift, Real, lift};
 /// use glam::DVec3;
 ///
 /// // Ground aluminium, at 500 nm.
-/// let metal = Conductor::new(0.789405353, 5.851936501)?;
+/// let metal = Conductor::new(0.789405353_f64, 5.851936501)?;
 /// let ground = He1991::new(280.0, 1770.0, metal, 500.0)?;
 /// let lobe = ground.specular(brdf::from_spherical(1.35, 0.0), TransportMode::Radiance);
 /// assert!((lobe.reflected.weight - 0.0785501452142612).abs() < 1e-13);
