@@ -3,7 +3,7 @@
 use alloc::boxed::Box;
 use alloc::sync::Arc;
 
-use crate::direction::off_surface_or_normal;
+use crate::direction::{mirrored, off_surface_or_normal};
 use crate::quadrature::mean_over_square;
 use crate::real::{Color, Mask, Real, Vector};
 
@@ -138,6 +138,14 @@ impl<T: Real, C: Color<T>> Lobes<T, C> {
         Self { reflected: lobe, transmitted: lobe }
     }
 
+    /// The one lobe of a viewer of whom nothing passes, where there is a viewer.
+    #[inline(always)]
+    pub(crate) fn mirror(wo: T::Vec3, weight: C, exists: T::Mask) -> Self {
+        let lobes = Self::none(wo);
+        let reflected = Lobe { wi: mirrored::<T, _>(wo), weight };
+        Self { reflected, ..lobes }.only_where(exists)
+    }
+
     /// The powers of a beam, of lobes for importance.
     #[must_use]
     pub fn power(self) -> Power<C> {
@@ -152,6 +160,12 @@ impl<T: Real, C: Color<T>> Lobes<T, C> {
         let only = |lobe: Lobe<T, C>| Lobe { wi: lobe.wi, weight: lobe.weight.only_where(mask) };
         Self { reflected: only(self.reflected), transmitted: only(self.transmitted) }
     }
+}
+
+/// False everywhere.
+#[inline(always)]
+pub(crate) fn never<T: Real>() -> T::Mask {
+    T::one().lt(T::zero())
 }
 
 impl<T: Real, C: Color<T>> BsdfSample<T, C> {
