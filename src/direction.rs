@@ -177,6 +177,12 @@ pub(crate) fn off_surface_or_normal<T: Real, V: Vector<T>>(w: V) -> V {
     V::select(off_surface::<T, _>(w), w, normal)
 }
 
+/// The mirror direction of the surface itself. There is no −0 in it.
+#[inline(always)]
+pub(crate) fn mirrored<T: Real, V: Vector<T>>(w: V) -> V {
+    V::new(T::zero() - w.x(), T::zero() - w.y(), w.z())
+}
+
 /// The mirror image of `w` across the surface where the mask is true, `w` elsewhere.
 #[inline(always)]
 pub(crate) fn turned_over<T: Real, V: Vector<T>>(mask: T::Mask, w: V) -> V {

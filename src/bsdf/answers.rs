@@ -1,5 +1,6 @@
 //! What a model over the whole sphere answers.
 
+use crate::direction::mirrored;
 use crate::real::{Color, Mask, Real, Vector};
 
 /// What travels along a path, which refraction scales differently.
@@ -65,6 +66,14 @@ impl<T: Real, C: Color<T>> Lobes<T, C> {
         Self { reflected: lobe, transmitted: lobe }
     }
 
+    /// The one lobe of a viewer of whom nothing passes, where there is a viewer.
+    #[inline(always)]
+    pub(crate) fn mirror(wo: T::Vec3, weight: C, exists: T::Mask) -> Self {
+        let lobes = Self::none(wo);
+        let reflected = Lobe { wi: mirrored::<T, _>(wo), weight };
+        Self { reflected, ..lobes }.only_where(exists)
+    }
+
     /// The powers of a beam, of lobes for importance.
     #[must_use]
     pub fn power(self) -> Power<C> {
@@ -79,6 +88,12 @@ impl<T: Real, C: Color<T>> Lobes<T, C> {
         let only = |lobe: Lobe<T, C>| Lobe { wi: lobe.wi, weight: lobe.weight.only_where(mask) };
         Self { reflected: only(self.reflected), transmitted: only(self.transmitted) }
     }
+}
+
+/// False everywhere.
+#[inline(always)]
+pub(crate) fn never<T: Real>() -> T::Mask {
+    T::one().lt(T::zero())
 }
 
 impl<T: Real, C: Color<T>> BsdfSample<T, C> {

@@ -13,6 +13,7 @@ use crate::direction::off_surface_or_normal;
 use crate::quadrature::mean_over_square;
 use crate::real::{Color, Mask, Real, Vector};
 
+pub(crate) use answers::never;
 pub use answers::{BsdfSample, Lobe, Lobes, Power, TransportMode};
 
 /// A model of scattering: reflection on both sides of a surface, and transmission through it.

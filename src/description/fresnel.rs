@@ -9,6 +9,7 @@ use crate::fresnel::{
     AnyFresnel, BelcourBarla, Conductor, Constant, Cook, Dielectric, F82, F82Tint, GeneralSchlick,
     Gulbrandsen, Hall, Lazanyi, Schlick, Stack, xyz_in_linear_srgb,
 };
+use crate::materials::RefractiveIndex;
 use crate::polarization::{Complex, Layer};
 use crate::real::{Color, Real};
 
@@ -20,8 +21,8 @@ pub(super) fn fresnel<T: Real, C: Color<T>>(
         "dielectric" => at.made(Dielectric::new(at.transparent("ior")?))?.into(),
         "conductor" => at.made(Conductor::new(at.color("eta")?, at.color("k")?))?.into(),
         "metal" => {
-            let Complex { re, im } = at.metal()?;
-            Conductor::new(re, im)
+            let RefractiveIndex { eta, k } = at.metal()?;
+            Conductor::new(eta, k)
                 .map_err(|error| at.path.error(Problem::Metal(error.to_string())))?
                 .into()
         }

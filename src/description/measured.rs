@@ -92,7 +92,8 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
         }
         let (constants, path) = constants(described, &path, named)?;
         let index = self.at_channels(own, |at| constants.refractive_index(at));
-        index.map_err(|problem| path.error(problem))
+        let RefractiveIndex { eta, k } = index.map_err(|problem| path.error(problem))?;
+        Ok(Complex::new(eta, k))
     }
 
     /// The index of a transparent medium in each channel; relative to that outside, if it has one.
@@ -103,9 +104,9 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
         let path = self.path.key(key);
         let (constants, place) = constants(described, &path, named)?;
         let index = self.at_channels(RGB, |at| constants.transparent(at));
-        let index = index.map_err(|problem| place.error(problem))?.re;
-        let measured = Build { described, path, ..*self };
-        Ok(measured.outside()?.map_or(index, |outside| index.zip(outside, |n, n1| n / n1)))
+        let index = index.map_err(|problem| place.error(problem))?;
+        let outside = Build { described, path, ..*self }.outside()?;
+        Ok(outside.map_or(index, |outside| index.over(outside)).eta)
     }
 
     /// The index of a transparent medium that is the same in all channels: that of the middle one.
@@ -121,7 +122,7 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
     }
 
     /// The index of a metal, relative to that outside.
-    pub(super) fn metal(&self) -> Result<Complex<C>, DescriptionError> {
+    pub(super) fn metal(&self) -> Result<RefractiveIndex<C>, DescriptionError> {
         let Some((_, Value::Term(described))) = self.described.get("name") else {
             let name = self.described.text("name");
             let index = metal(name)
@@ -131,11 +132,8 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
         let (constants, place) = constants(described, &self.path, metal)?;
         let index = self.at_channels(RGB, |at| constants.refractive_index(at));
         let index = index.map_err(|problem| place.error(problem))?;
-        let measured = Build { described, ..*self };
-        Ok(measured.outside()?.map_or(index, |outside| {
-            let over = |part: C| part.zip(outside, |part, outside| part / outside);
-            Complex::new(over(index.re), over(index.im))
-        }))
+        let outside = Build { described, ..*self }.outside()?;
+        Ok(outside.map_or(index, |outside| index.over(outside)))
     }
 
     /// The index outside of what is measured, unless that is air or does not matter.
@@ -152,7 +150,7 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
         &self,
         own: [f64; 3],
         index: impl Fn(f64) -> Result<RefractiveIndex, ParameterError>,
-    ) -> Result<Complex<C>, Problem> {
+    ) -> Result<RefractiveIndex<C>, Problem> {
         let mut problem = None;
         let all = C::by_channel(|channel| {
             index(self.channels.wavelength(channel, own)).unwrap_or_else(|error| {
@@ -164,6 +162,7 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
             let of = |channel| all.as_ref().get(channel).map_or(f64::NAN, part);
             C::from_channels(C::by_channel(|channel| T::lit(of(channel))))
         };
-        problem.map_or_else(|| Ok(Complex::new(part(|it| it.eta), part(|it| it.k))), Err)
+        let index = || RefractiveIndex { eta: part(|it| it.eta), k: part(|it| it.k) };
+        problem.map_or_else(|| Ok(index()), Err)
     }
 }

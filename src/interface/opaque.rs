@@ -1,10 +1,8 @@
 use crate::block::{BLOCK, ColorBlock, EventBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, mean_weight_of_beam, weight_of_beam};
-use crate::bsdf::{Bsdf, BsdfSample, Power, TransportMode};
+use crate::bsdf::{Bsdf, BsdfSample, Power, TransportMode, never};
 use crate::direction::above_surface;
 use crate::real::{Color, Lift, Real, lift};
-
-use super::side::never;
 
 /// A model of reflection as one over the whole sphere: zero where either direction lies below the
 /// surface.

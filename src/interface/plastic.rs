@@ -1,7 +1,7 @@
 use core::f64::consts::FRAC_1_PI;
 
-use super::side::{Viewer, never};
-use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
+use super::side::Viewer;
+use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode, never};
 use crate::direction::{above_or_normal, above_surface, both_above};
 use crate::fresnel::{dielectric_average, split};
 use crate::parameter::model;

@@ -1,7 +1,7 @@
 use super::crossed::RefractedShadowing;
 use super::refracted::Refracted;
-use super::side::{Viewer, never, refraction_scale};
-use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
+use super::side::{Viewer, refraction_scale};
+use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode, never};
 use crate::direction::{facing, off_surface, refracted_cosine, turned_over};
 use crate::distribution::Smith;
 use crate::error::{ParameterError, range};

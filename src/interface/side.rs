@@ -1,14 +1,10 @@
 //! What the models of this room share: the side of the viewer, and events by chance.
 
-use crate::bsdf::{BsdfSample, Lobe, Lobes, TransportMode};
-use crate::direction::{above_or_normal, above_surface, off_surface, off_surface_or_normal};
+use crate::bsdf::{BsdfSample, Lobe, Lobes, TransportMode, never};
+use crate::direction::{
+    above_or_normal, above_surface, mirrored, off_surface, off_surface_or_normal,
+};
 use crate::real::{Color, Mask, Real, Vector};
-
-/// False everywhere.
-#[inline(always)]
-pub(super) fn never<T: Real>() -> T::Mask {
-    T::one().lt(T::zero())
-}
 
 /// The viewer: a direction on either side of the surface, or above it.
 #[derive(Clone, Copy, Debug)]
@@ -37,16 +33,13 @@ impl<T: Real> Viewer<T> {
     /// The mirror direction.
     #[inline(always)]
     pub(super) fn mirrored(&self) -> T::Vec3 {
-        let (zero, wo) = (T::zero(), self.wo);
-        Vector::new(zero - wo.x(), zero - wo.y(), wo.z())
+        mirrored::<T, _>(self.wo)
     }
 
     /// The one lobe of a viewer of whom nothing passes.
     #[inline(always)]
     pub(super) fn mirror<C: Color<T>>(&self, weight: C) -> Lobes<T, C> {
-        let lobes = Lobes::none(self.wo);
-        let reflected = Lobe { wi: self.mirrored(), weight };
-        Lobes { reflected, ..lobes }.only_where(self.exists)
+        Lobes::mirror(self.wo, weight, self.exists)
     }
 
     /// The direction straight through the surface.

@@ -1,6 +1,6 @@
-use super::side::{Viewer, never};
+use super::side::Viewer;
 use crate::brdf::Brdf;
-use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
+use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode, never};
 use crate::direction::above_surface;
 use crate::glossy::Schlick1994;
 use crate::real::{Color, Mask, Real, lift};

@@ -31,8 +31,17 @@ impl<C> RefractiveIndex<C> {
         C: Color<T>,
     {
         range::ETA.check("outside", outside)?;
+        Ok(self.over(outside))
+    }
+
+    /// The same for an index outside that is in its range.
+    pub(crate) fn over<T>(self, outside: C) -> Self
+    where
+        T: Real,
+        C: Color<T>,
+    {
         let over = |part: C| part.zip(outside, |part, outside| part / outside);
-        Ok(Self { eta: over(self.eta), k: over(self.k) })
+        Self { eta: over(self.eta), k: over(self.k) }
     }
 }
 
@@ -253,11 +262,10 @@ impl OpticalConstants {
         // The last sample has no successor: it is the upper end of the last interval.
         let upper = self.0.below(at).min(self.0.len() - 1);
         let (below, above) = (self.0.sample(upper - 1), self.0.sample(upper));
-        let part = (at - below.wavelength) / (above.wavelength - below.wavelength);
-        let between = |below: f64, above: f64| below * (1.0 - part) + above * part;
+        let ends = [below.wavelength, above.wavelength];
         RefractiveIndex {
-            eta: between(below.index.eta, above.index.eta),
-            k: between(below.index.k, above.index.k),
+            eta: line(at, ends, [below.index.eta, above.index.eta]),
+            k: line(at, ends, [below.index.k, above.index.k]),
         }
     }
 
@@ -411,4 +419,10 @@ impl OpticalConstants {
         Range::new(0.0, 1e-3).check("k", index.k)?;
         Ok(index)
     }
+}
+
+/// The value at a place on the straight line between two.
+pub(super) fn line(at: f64, [start, end]: [f64; 2], [first, last]: [f64; 2]) -> f64 {
+    let part = (at - start) / (end - start);
+    first * (1.0 - part) + last * part
 }

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use core::error::Error;
 use core::fmt;
 
-use super::constants::{OpticalConstants, RefractiveIndex, Sample};
+use super::constants::{OpticalConstants, RefractiveIndex, Sample, line};
 use crate::error::{ParameterError, range};
 
 /// Why a text has no optical constants, and in which line that is.
@@ -126,10 +126,13 @@ fn checked(
     lines: &[usize],
     end: usize,
 ) -> Result<OpticalConstants, TextError> {
-    OpticalConstants::new(samples).map_err(|error| {
-        let line = error.position().and_then(|place| lines.get(place));
-        TextError::new(line.copied().unwrap_or(end), TextProblem::Parameter(error))
-    })
+    OpticalConstants::new(samples).map_err(|error| at_line(error, lines, end))
+}
+
+/// What is wrong with one of the numbers of these lines, or with all of them, which is said of the end.
+fn at_line(error: ParameterError, lines: &[usize], end: usize) -> TextError {
+    let line = error.position().and_then(|place| lines.get(place));
+    TextError::new(line.copied().unwrap_or(end), TextProblem::Parameter(error))
 }
 
 pub(super) fn csv(text: &str) -> Result<OpticalConstants, TextError> {
@@ -170,10 +173,7 @@ impl Column {
     fn check(&self, name: &'static str, range: crate::Range) -> Result<(), TextError> {
         ParameterError::check_ascending("wavelength", range::WAVELENGTH, &self.wavelengths)
             .and_then(|()| ParameterError::check_each(name, range, &self.values))
-            .map_err(|error| {
-                let line = error.position().and_then(|place| self.lines.get(place));
-                TextError::new(line.copied().unwrap_or_default(), TextProblem::Parameter(error))
-            })
+            .map_err(|error| at_line(error, &self.lines, 0))
     }
 
     /// The value at a wavelength, if the column reaches there.
@@ -185,8 +185,7 @@ impl Column {
         }
         let below = above.checked_sub(1)?;
         let (start, first) = (self.wavelengths.get(below)?, self.values.get(below)?);
-        let part = (wavelength - start) / (end - start);
-        Some(first * (1.0 - part) + last * part)
+        Some(line(wavelength, [*start, *end], [*first, *last]))
     }
 }
 

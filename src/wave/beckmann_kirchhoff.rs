@@ -1,4 +1,4 @@
-use super::scattering::Scattering;
+use super::scattering::{Scattering, of_scattering};
 use super::surface::{Hiding, Surface};
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::error::ParameterError;
@@ -83,12 +83,6 @@ impl<F, C, T> BeckmannKirchhoff<F, C, T> {
         model!(@row wavelength: C, WAVELENGTH, "λ", "wavelength of each channel in vacuum, nm")
             .or(Preset::Color([650.0, 550.0, 450.0])),
     ];
-
-    /// The reflectance.
-    #[must_use]
-    pub const fn fresnel(&self) -> &F {
-        &self.scattering.fresnel
-    }
 }
 
 impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> BeckmannKirchhoff<F, C, T> {
@@ -109,44 +103,4 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> BeckmannKirchhoff<F, C, T> 
     }
 }
 
-impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> BeckmannKirchhoff<F, C, T> {
-    /// [`sample`](Bsdf::sample) from two numbers, of which the first also chooses: what it decided is taken
-    /// out of it, and what is left is uniform again. It loses the digits that it spends.
-    pub fn sample_by_two(&self, wo: T::Vec3, u: [T; 2]) -> BsdfSample<T, C> {
-        self.scattering.sample(wo, u, None)
-    }
-}
-
-lift! {
-    [T: Real, C: Color<T>, F: Lift<T>] BeckmannKirchhoff<F, C, T> => BeckmannKirchhoff<F::Over<U>, C::Over<U>, U>: BeckmannKirchhoff {
-        scattering: part,
-    }
-}
-
-impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Bsdf<T> for BeckmannKirchhoff<F, C, T> {
-    type Color = C;
-
-    #[inline(always)]
-    fn eval(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> C {
-        self.scattering.eval(wi, wo)
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> T {
-        self.scattering.pdf(wi, wo)
-    }
-
-    #[inline(always)]
-    fn sample(&self, wo: T::Vec3, [x, y, u]: [T; 3], _: TransportMode) -> BsdfSample<T, C> {
-        self.scattering.sample(wo, [x, y], Some(u))
-    }
-
-    #[inline(always)]
-    fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, C> {
-        self.scattering.specular(wo)
-    }
-
-    fn power(&self, wo: T::Vec3) -> Power<C> {
-        self.scattering.power(wo)
-    }
-}
+of_scattering!(BeckmannKirchhoff);

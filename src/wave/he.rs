@@ -1,5 +1,5 @@
 use super::masking::Masking;
-use super::scattering::Scattering;
+use super::scattering::{Scattering, of_scattering};
 use super::surface::{Hiding, Surface};
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::direction::{above_or_normal, above_surface, both_above};
@@ -74,7 +74,7 @@ use crate::real::{Color, Lift, Real, lift};
 /// use glam::DVec3;
 ///
 /// // Ground aluminium, at 500 nm.
-/// let metal = Conductor::new(0.789405353, 5.851936501)?;
+/// let metal = Conductor::new(0.789405353_f64, 5.851936501)?;
 /// let ground = He1991::new(280.0, 1770.0, metal, 500.0)?;
 /// let lobe = ground.specular(brdf::from_spherical(1.35, 0.0), TransportMode::Radiance);
 /// assert!((lobe.reflected.weight - 0.0785501452142612).abs() < 1e-13);
@@ -99,12 +99,6 @@ impl<F, C, T> He1991<F, C, T> {
         model!(@row wavelength: C, WAVELENGTH, "λ", "wavelength of each channel in vacuum, nm")
             .or(Preset::Color([650.0, 550.0, 450.0])),
     ];
-
-    /// The reflectance.
-    #[must_use]
-    pub const fn fresnel(&self) -> &F {
-        &self.scattering.fresnel
-    }
 }
 
 impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> He1991<F, C, T> {
@@ -158,44 +152,4 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> He1991<F, C, T> {
     }
 }
 
-impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> He1991<F, C, T> {
-    /// [`sample`](Bsdf::sample) from two numbers, of which the first also chooses: what it decided is taken
-    /// out of it, and what is left is uniform again. It loses the digits that it spends.
-    pub fn sample_by_two(&self, wo: T::Vec3, u: [T; 2]) -> BsdfSample<T, C> {
-        self.scattering.sample(wo, u, None)
-    }
-}
-
-lift! {
-    [T: Real, C: Color<T>, F: Lift<T>] He1991<F, C, T> => He1991<F::Over<U>, C::Over<U>, U>: He1991 {
-        scattering: part,
-    }
-}
-
-impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Bsdf<T> for He1991<F, C, T> {
-    type Color = C;
-
-    #[inline(always)]
-    fn eval(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> C {
-        self.scattering.eval(wi, wo)
-    }
-
-    #[inline(always)]
-    fn pdf(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> T {
-        self.scattering.pdf(wi, wo)
-    }
-
-    #[inline(always)]
-    fn sample(&self, wo: T::Vec3, [x, y, u]: [T; 3], _: TransportMode) -> BsdfSample<T, C> {
-        self.scattering.sample(wo, [x, y], Some(u))
-    }
-
-    #[inline(always)]
-    fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, C> {
-        self.scattering.specular(wo)
-    }
-
-    fn power(&self, wo: T::Vec3) -> Power<C> {
-        self.scattering.power(wo)
-    }
-}
+of_scattering!(He1991);

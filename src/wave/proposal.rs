@@ -1,6 +1,6 @@
 //! How directions are drawn for the diffuse part.
 
-use core::f64::consts::{FRAC_1_PI, PI};
+use core::f64::consts::FRAC_1_PI;
 
 use super::orders::{Order, Orders};
 use super::surface::Surface;
@@ -50,12 +50,6 @@ impl<'a, T: Real, C: Color<T>> Proposal<'a, T, C> {
         T::one() / (T::one() + g * T::lit(0.25))
     }
 
-    /// kτ of a wavelength.
-    #[inline(always)]
-    fn length(&self, wavelength: T) -> T {
-        self.surface.correlation * (T::lit(2.0 * PI) / wavelength)
-    }
-
     /// The density of directions.
     #[inline(always)]
     pub(super) fn pdf(&self, wi: T::Vec3) -> T {
@@ -64,7 +58,7 @@ impl<'a, T: Real, C: Color<T>> Proposal<'a, T, C> {
         let sum = Pair::<T>::new(wi, self.wo).sum;
         let across = (sum.x().squared() + sum.y().squared()) * T::lit(0.25);
         let density = self.g.zip(self.surface.wavelength, |g, wavelength| {
-            let length_squared = self.length(wavelength).squared();
+            let length_squared = self.surface.length(wavelength).squared();
             let spread = length_squared * across;
             let (mut all, mut scattered) = (T::zero(), T::zero());
             Orders::new(g, T::zero()).visit(|Order { inverse, factor, exponent }| {
@@ -118,7 +112,7 @@ impl<'a, T: Real, C: Color<T>> Proposal<'a, T, C> {
             within = T::select(here, left / T::select(some, mass, one), within);
             left = left - mass;
         });
-        let variance = T::lit(4.0) / (chosen * self.length(wavelength).squared());
+        let variance = T::lit(4.0) / (chosen * self.surface.length(wavelength).squared());
         let rest = T::select(scattered, within.clamp(zero, one), rest);
         let rest = T::select(is_even, chance / T::select(is_even, self.even, one), rest);
         Choice { even: is_even, scattered, variance, rest }

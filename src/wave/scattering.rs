@@ -4,8 +4,8 @@ use core::f64::consts::{FRAC_1_PI, PI};
 
 use super::proposal::Proposal;
 use super::surface::Surface;
-use crate::bsdf::{BsdfSample, Lobe, Lobes, Power};
-use crate::direction::{Pair, above_or_normal, above_surface, both_above};
+use crate::bsdf::{BsdfSample, Lobes, Power, never};
+use crate::direction::{Pair, above_or_normal, above_surface, both_above, mirrored};
 use crate::fresnel::Fresnel;
 use crate::quadrature::mean_over_square;
 use crate::real::{Color, Lift, Mask, Real, Vector, lift};
@@ -24,6 +24,61 @@ lift! {
         surface: part, fresnel: part, uniform: color,
     }
 }
+
+/// A model that is nothing but its [`Scattering`].
+macro_rules! of_scattering {
+    ($model:ident) => {
+        lift! {
+            [T: Real, C: Color<T>, F: Lift<T>] $model<F, C, T> => $model<F::Over<U>, C::Over<U>, U>:
+            $model { scattering: part }
+        }
+
+        impl<F, C, T> $model<F, C, T> {
+            /// The reflectance.
+            #[must_use]
+            pub const fn fresnel(&self) -> &F {
+                &self.scattering.fresnel
+            }
+        }
+
+        impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> $model<F, C, T> {
+            /// [`sample`](Bsdf::sample) from two numbers, of which the first also chooses: what it decided is
+            /// taken out of it, and what is left is uniform again. It loses the digits that it spends.
+            pub fn sample_by_two(&self, wo: T::Vec3, u: [T; 2]) -> BsdfSample<T, C> {
+                self.scattering.sample(wo, u, None)
+            }
+        }
+
+        impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Bsdf<T> for $model<F, C, T> {
+            type Color = C;
+
+            #[inline(always)]
+            fn eval(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> C {
+                self.scattering.eval(wi, wo)
+            }
+
+            #[inline(always)]
+            fn pdf(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> T {
+                self.scattering.pdf(wi, wo)
+            }
+
+            #[inline(always)]
+            fn sample(&self, wo: T::Vec3, [x, y, u]: [T; 3], _: TransportMode) -> BsdfSample<T, C> {
+                self.scattering.sample(wo, [x, y], Some(u))
+            }
+
+            #[inline(always)]
+            fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, C> {
+                self.scattering.specular(wo)
+            }
+
+            fn power(&self, wo: T::Vec3) -> Power<C> {
+                self.scattering.power(wo)
+            }
+        }
+    };
+}
+pub(super) use of_scattering;
 
 /// The probabilities of the parts, of a viewer.
 #[derive(Clone, Copy, Debug)]
@@ -58,11 +113,9 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
 
     #[inline(always)]
     pub(super) fn specular(&self, wo: T::Vec3) -> Lobes<T, C> {
-        let (zero, above) = (T::zero(), above_surface::<T, _>(wo));
+        let above = above_surface::<T, _>(wo);
         let wo: T::Vec3 = above_or_normal(wo);
-        let lobes = Lobes::none(wo);
-        let wi = Vector::new(zero - wo.x(), zero - wo.y(), wo.z());
-        Lobes { reflected: Lobe { wi, weight: self.lobe(wo) }, ..lobes }.only_where(above)
+        Lobes::mirror(wo, self.lobe(wo), above)
     }
 
     /// Shares of the reflected power, those of the diffuse part by a guess.
@@ -109,16 +162,15 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
         chance: Option<T>,
     ) -> BsdfSample<T, C> {
         let (zero, one) = (T::zero(), T::one());
-        let viewer = wo;
-        let above = above_surface::<T, _>(viewer);
-        let wo: T::Vec3 = above_or_normal(viewer);
+        let above = above_surface::<T, _>(wo);
+        let wo: T::Vec3 = above_or_normal(wo);
         let chances = self.chances(wo);
         let [of_lobe, of_rest] = chances.lobe;
         let u = chance.unwrap_or(x).clamp(zero, one);
         let is_lobe = u.lt(of_lobe).or(of_rest.le(zero));
         let over = |part: T, whole: T| part / T::select(whole.gt(zero), whole, one);
         let lobe = BsdfSample {
-            wi: self.specular(viewer).reflected.wi,
+            wi: mirrored::<T, _>(wo),
             weight: self.lobe(wo).map(|weight| over(weight, of_lobe).min(T::max_finite())),
             pdf: zero,
             specular: above,
@@ -140,7 +192,7 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
         let drawn = above_surface::<T, _>(wi).and(pdf.gt(zero));
         let scale = wi.z() / T::select(drawn, pdf, one);
         let weight = (self.eval(wi, wo) * scale).map(|weight| weight.min(T::max_finite()));
-        let spread = BsdfSample { wi, weight, pdf, specular: one.lt(zero) };
+        let spread = BsdfSample { wi, weight, pdf, specular: never::<T>() };
         BsdfSample::choose(is_lobe, lobe, spread.only_where(drawn)).only_where(above)
     }
 

@@ -94,9 +94,15 @@ impl<T: Real, C: Color<T>> Surface<C, T> {
     }
 
     #[inline(always)]
-    pub(super) fn wave(&self, sigma: T, wavelength: T) -> Wave<T> {
+    fn wave(&self, sigma: T, wavelength: T) -> Wave<T> {
         let k = T::lit(2.0 * PI) / wavelength;
-        Wave { height: k * sigma, length: k * self.correlation }
+        Wave { height: k * sigma, length: self.length(wavelength) }
+    }
+
+    /// kτ.
+    #[inline(always)]
+    pub(super) fn length(&self, wavelength: T) -> T {
+        self.correlation * (T::lit(2.0 * PI) / wavelength)
     }
 
     /// The value of the diffuse part where everything is reflected.

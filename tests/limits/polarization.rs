@@ -347,6 +347,31 @@ fn belcour_barla_is_near_the_integral_over_the_spectrum() {
         println!("{film} on {n} + {k}i: largest {worst:.4}, mean {:.4}", sum / count);
         assert!(worst < allowed, "{film} on {n} + {k}i: {worst}");
     }
+    // Thin soap next to the horizon.
+    let model: BelcourBarla<DVec3, f64> =
+        BelcourBarla::new(1.33, 10.0, [1.0, 0.0], 1.0).expect("in range");
+    let layer = [Layer { index: Complex::real(1.33), thickness: 10.0 }];
+    let exact = lines
+        .map(|wavelength| Layers::new(air, &layer, air, wavelength).expect("in range"))
+        .map(|soap| soap.reflectance(0.1));
+    let off = model.xyz(0.1)[0] - observer.xyz(Spectrum(exact)).to_array()[0] / white[0];
+    assert!((0.05..0.06).contains(&off), "{off}");
+}
+
+/// The wave does not tunnel through a film that is thinner than a wavelength, as that of
+/// [`Layers`] does.
+#[test]
+fn belcour_barla_reflects_all_beyond_the_critical_angle_of_the_film() {
+    for thickness in [0.0, 1.0, 1000.0] {
+        let film: BelcourBarla<DVec3, f64> =
+            BelcourBarla::new(1.0, thickness, [1.5, 0.0], 1.33).expect("in range");
+        let [_, y, _] = film.xyz(0.5);
+        assert!((y - 1.0).abs() < 2e-3, "{thickness}: {y}");
+        let layer = [Layer { index: Complex::real(1.0), thickness }];
+        let exact = Layers::new(Complex::real(1.33), &layer, Complex::real(1.5), 550.0);
+        let exact = exact.expect("in range").reflectance(0.5);
+        assert_eq!(exact > 0.99, thickness == 1000.0, "{thickness}: {exact}");
+    }
 }
 
 #[test]

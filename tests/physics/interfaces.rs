@@ -111,6 +111,18 @@ fn the_power_of_rough_glass_is_the_mean_of_many_draws() {
     });
 }
 
+/// What is scattered twice is lost however near to 1 the index is, and nothing at 1.
+#[test]
+fn rough_glass_of_next_to_no_contrast_loses_light() {
+    let wo: DVec3 = from_spherical(0.5, 0.3);
+    let passed = |ior: f64| {
+        let glass = RoughDielectric::new(Ggx::new(0.5_f64).expect("a roughness"), ior);
+        glass.expect("an index").power(wo).transmittance.x
+    };
+    assert_eq!(passed(1.0), 1.0);
+    assert!((passed(1.0 + 1e-12) - 0.982).abs() < 7e-4, "{}", passed(1.0 + 1e-12));
+}
+
 /// Values of the literature: rounded to four and to three digits.
 #[test]
 fn rough_glass_keeps_what_is_known() {

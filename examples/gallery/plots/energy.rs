@@ -76,7 +76,11 @@ fn known(entries: &[&'static Entry<f64>]) -> Panel {
     };
     let curves: Vec<Curve> = entries.iter().zip(PENS).map(curve).collect();
     let highest = curves.iter().map(|curve| curve.highest().1).fold(1.0, f64::max);
-    let step = if highest > 4.0 { 1.0 } else { 0.2 };
+    let step = match highest {
+        ..2.5 => 0.2,
+        ..4.0 => 0.5,
+        _ => 1.0,
+    };
     let top = (1.1 * highest / step).ceil() * step;
     Panel::Plot(Plot {
         heading: String::new(),
