@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::cost::{Cost, costs};
 use brdf_checks::directions::pairs_to_grazing;
-use brdf_checks::measure::derivatives::{Derivatives, LARGEST, derivatives, questions};
+use brdf_checks::measure::derivatives::{Derivatives, LARGEST, of_reflection, questions};
 use brdf_checks::measure::energy::{Energy, energy};
 use brdf_checks::measure::precision::{Precision, Quantity, precision};
 use brdf_checks::measure::reciprocity::{Reciprocity, reciprocity};
@@ -76,7 +76,7 @@ impl Row {
             reciprocity_f32: reciprocity(&*single.model, &pairs.single, f64::from(f32::EPSILON)),
             reciprocity_f64: reciprocity(&*double.model, &pairs.double, f64::EPSILON),
             precision: precision(Quantity::Eval, &*single.model, &*double.model, &pairs.single),
-            derivatives: derivatives(&row.brdf, &questions(pairs_of_directions, albedos)),
+            derivatives: of_reflection(&row.brdf, &questions(pairs_of_directions, albedos)),
             sampling: sampling(index, single, double),
             costs: costs(index),
             bugs: 0,

@@ -1,6 +1,6 @@
 //! Every model has the derivatives of its answers.
 
-use brdf_checks::measure::derivatives::{LARGEST, derivatives, questions};
+use brdf_checks::measure::derivatives::{LARGEST, of_reflection, questions};
 use brdf_checks::measure::differences::Steps;
 use brdf_checks::models;
 
@@ -12,7 +12,7 @@ fn derivatives_are_those_of_the_answers() {
         // The mean of samples has the derivatives of the integral, not its own: see
         // `the_mean_of_samples_has_the_derivative_of_the_integral`.
         let albedos = if row.has_exact_albedo() { 2 } else { 0 };
-        let found = derivatives(&row.brdf, &questions(8, albedos));
+        let found = of_reflection(&row.brdf, &questions(8, albedos));
         let name = &row.name;
         assert!(found.faults.is_empty(), "{name}: {}", found.faults.join("\n"));
         assert!(found.largest <= LARGEST, "{name}: {:e}: {}", found.largest, found.place);

@@ -12,7 +12,7 @@ use brdf::{
 };
 use brdf_checks::interfaces::laws::{LAWS, mean_weights};
 use brdf_checks::interfaces::{self, rows, viewers};
-use brdf_checks::measure::derivatives::{LARGEST, derivatives, questions_over_sphere};
+use brdf_checks::measure::derivatives::{LARGEST, over_sphere, questions_over_sphere};
 use brdf_checks::measure::sampling::chi_squared::{Verdict, least_of};
 use brdf_checks::measure::sphere::sampling;
 use brdf_checks::sound::unsound_anywhere;
@@ -52,7 +52,7 @@ fn every_answer_in_single_precision_is_sound() {
 fn derivatives_over_the_sphere_are_those_of_the_answers() {
     let (mut compared, mut undecided) = (0, 0);
     for row in rows() {
-        let found = derivatives(&row.bsdf, &questions_over_sphere(24));
+        let found = over_sphere(&row.bsdf, &questions_over_sphere(24));
         let name = &row.name;
         assert!(found.faults.is_empty(), "{name}: {}", found.faults.join("\n"));
         assert!(found.largest <= LARGEST, "{name}: {:e}: {}", found.largest, found.place);

@@ -117,6 +117,7 @@ impl Row {
     }
 
     /// Whether the model is one of wave optics that scatters around its lobe.
+    #[inline(never)]
     pub fn is_wave(&self) -> bool {
         let form = self.form();
         let up = from_spherical(0.3, 0.0);
@@ -155,6 +156,7 @@ pub fn rows() -> &'static [Row] {
 }
 
 /// All models in double precision.
+#[inline(never)]
 pub fn double() -> &'static [Entry<f64>] {
     static ALL: LazyLock<Vec<Entry<f64>>> =
         LazyLock::new(|| rows().iter().map(Row::whole).collect());
@@ -162,6 +164,7 @@ pub fn double() -> &'static [Entry<f64>] {
 }
 
 /// All models in single precision.
+#[inline(never)]
 pub fn single() -> &'static [Entry<f32>] {
     static ALL: LazyLock<Vec<Entry<f32>>> =
         LazyLock::new(|| rows().iter().map(Row::whole).collect());

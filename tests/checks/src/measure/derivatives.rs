@@ -122,7 +122,7 @@ const NAMES: [&str; 14] = [
 type Answers<T> = [T; NAMES.len()];
 
 /// A description whose model is asked.
-pub trait Described {
+trait Described {
     type Model<T: Real>;
 
     /// The model of numbers that are made of the values and their places.
@@ -140,7 +140,7 @@ pub trait Described {
 
 /// What a model answers to a question: value, density, the direction, weight and density of a sample, and
 /// the albedo, or the specular lobes.
-pub struct Asked<T: Real>(T::Vec3, T, [T::Vec3; 2], T, T::Vec3);
+struct Asked<T: Real>(T::Vec3, T, [T::Vec3; 2], T, T::Vec3);
 
 impl Described for BrdfDescription {
     type Model<T: Real> = AnyBrdf<T>;
@@ -199,9 +199,20 @@ fn answers<D: Described, T: Real>(
     all
 }
 
-/// Compares derivatives of all answers by every number of the description and both directions with
-/// differences of the answers in `f64`.
-pub fn derivatives<D: Described>(described: &D, questions: &[Question]) -> Derivatives {
+/// Compares derivatives of all answers of a model of reflection by every number of the description and
+/// both directions with differences of the answers in `f64`.
+#[inline(never)]
+pub fn of_reflection(described: &BrdfDescription, questions: &[Question]) -> Derivatives {
+    derivatives(described, questions)
+}
+
+/// The same of a model over the whole sphere.
+#[inline(never)]
+pub fn over_sphere(described: &BsdfDescription, questions: &[Question]) -> Derivatives {
+    derivatives(described, questions)
+}
+
+fn derivatives<D: Described>(described: &D, questions: &[Question]) -> Derivatives {
     let mut result = Derivatives::default();
     for parameter in parameters(described) {
         result.by_parameter(described, &parameter, questions);
