@@ -14,7 +14,7 @@ pub enum TransportMode {
     Importance,
 }
 
-/// A direction drawn by [`Bsdf::sample`].
+/// A direction drawn by [`Bsdf::sample`](crate::Bsdf::sample).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BsdfSample<T: Real, C> {
     /// Where the path goes on: towards the light for radiance.

@@ -228,7 +228,8 @@ impl<T: Real, C: Color<T>> Brdf<T> for AshikhminShirley<C, T> {
         let pair = Pair::new(wi, wo);
         let pdf = self.density(shares, &pair);
         let drawn = pair.above.and(pdf.gt(zero));
-        let weight = self.value(&pair) * (pair.cos_i / T::select(drawn, pdf, one));
+        let scale = (pair.cos_i / T::select(drawn, pdf, one)).min(T::max_finite());
+        let weight = (self.value(&pair) * scale).map(|weight| weight.min(T::max_finite()));
         Sample { wi, weight, pdf }.only_where(drawn)
     }
 }

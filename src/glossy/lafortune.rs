@@ -155,6 +155,8 @@ impl<T: Real, C: Color<T>> Lafortune<C, T> {
 /// A lobe as a viewer sees it.
 struct Towards<T: Real> {
     axis: T::Vec3,
+    /// |D|.
+    length: T,
     /// |D|ⁿ, bounded.
     height: T,
     /// About what it reflects.
@@ -169,19 +171,26 @@ impl<T: Real, C: Color<T>> LafortuneLobe<C, T> {
         let d: T::Vec3 = Vector::new(x * viewer.x(), y * viewer.y(), z * viewer.z());
         // A lobe of no length reflects nothing, or evenly for an exponent of 0.
         let squared = Vector::length_squared(d).max(T::lit(1e-36));
-        let axis = d * (one / squared.sqrt());
+        let length = squared.sqrt();
+        let axis = d * (one / length);
         let axis = Vector::normalize_or_normal(axis);
         let height = squared.powf(self.exponent * T::lit(0.5)).min(T::lit(1e18));
         let above = axis.z().max(T::zero()) + one / (self.exponent + two).sqrt();
         let share = self.specular.mean() * height * above * (T::lit(TAU) / (self.exponent + one));
-        Towards { axis, height, share }
+        Towards { axis, length, height, share }
+    }
+
+    /// D·L.
+    #[inline(always)]
+    fn product(&self, wi: T::Vec3, wo: T::Vec3) -> T {
+        let [x, y, z] = self.c;
+        x * (wi.x() * wo.x()) + y * (wi.y() * wo.y()) + z * (wi.z() * wo.z())
     }
 
     /// The power, saturated.
     #[inline(always)]
     fn power(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        let [x, y, z] = self.c;
-        let sum = x * (wi.x() * wo.x()) + y * (wi.y() * wo.y()) + z * (wi.z() * wo.z());
+        let sum = self.product(wi, wo);
         let positive = sum.gt(T::zero());
         let power = T::select(positive, sum, T::one()).powf(self.exponent);
         power.min(T::max_finite()).only_where(positive)
@@ -189,11 +198,13 @@ impl<T: Real, C: Color<T>> LafortuneLobe<C, T> {
 
     /// Density of a sample of the lobe.
     #[inline(always)]
-    fn density(&self, axis: T::Vec3, wi: T::Vec3) -> T {
+    fn density(&self, towards: &Towards<T>, wi: T::Vec3, wo: T::Vec3) -> T {
         let (half, one) = (T::lit(0.5), T::one());
-        // Whichever of the cosine and what it lacks to 1 has the digits.
+        let Towards { axis, length, .. } = *towards;
+        // Whichever of the cosine and what it lacks to 1 has the digits; at the edge of the lobe with the
+        // error that the value has.
         let versine = Vector::length_squared(wi - axis) * half;
-        let cos = T::select(versine.lt(half), one - versine, Vector::dot(wi, axis));
+        let cos = T::select(versine.lt(half), one - versine, self.product(wi, wo) / length);
         let positive = cos.gt(T::zero());
         let part = T::select(positive, cos, one).max(T::lit(2e-38));
         let power = part.power_of_part(versine, self.exponent).only_where(positive);
@@ -234,9 +245,9 @@ impl<T: Real, C: Color<T>> Brdf<T> for Lafortune<C, T> {
         let mut sum = self.ground() * (wi.z() * T::lit(FRAC_1_PI));
         let mut total = self.ground();
         for lobe in &self.lobes {
-            let Towards { axis, share, .. } = lobe.towards(viewer);
-            sum = sum + share * lobe.density(axis, wi);
-            total = total + share;
+            let towards = lobe.towards(viewer);
+            sum = sum + towards.share * lobe.density(&towards, wi, wo);
+            total = total + towards.share;
         }
         let some = total.gt(T::zero());
         let density = (sum / T::select(some, total, T::one())).min(T::max_finite());

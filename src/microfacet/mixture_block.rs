@@ -4,7 +4,7 @@
 use core::array;
 
 use super::areas::Areas;
-use super::shadowing::{Draw, Facet, Mirrored, pdf_of};
+use super::shadowing::{Draw, Mirrored, mirror_pair, pdf_of};
 use crate::block::{BLOCK, DrawBlock, PairBlock, Plane};
 use crate::direction::Pair;
 use crate::distribution::{AnyMixture, Distribution, Smith};
@@ -108,7 +108,7 @@ pub(super) fn mirror<T: Real, S: Areas<T>>(
         #[inline(always)]
         |index| {
             let h = Vector::new(h_x[index], h_y[index], h_z[index]);
-            let Pair { wi, wo, .. } = Facet::<T>::new(draws.wo(index), h).pair;
+            let Pair { wi, wo, .. } = mirror_pair::<T>(draws.wo(index), h);
             [wi.x(), wi.y(), wi.z(), wo.x(), wo.y(), wo.z()]
         },
     );
@@ -118,10 +118,11 @@ pub(super) fn mirror<T: Real, S: Areas<T>>(
         weight,
         #[inline(always)]
         |index, [x, y, z, _]| {
-            let facet = Facet::<T>::new(draws.wo(index), Vector::new(x, y, z));
-            let (areas, pair) = (answers.areas(index), &facet.pair);
-            let (masking, unshadowed) = (S::masking_of(areas, pair), S::unshadowed_of(areas, pair));
-            Draw::of(&facet, answers.density[index], masking, unshadowed).planes()
+            let pair = mirror_pair::<T>(draws.wo(index), Vector::new(x, y, z));
+            let areas = answers.areas(index);
+            let (masking, unshadowed) =
+                (S::masking_of(areas, &pair), S::unshadowed_of(areas, &pair));
+            Draw::of(&pair, answers.density[index], masking, unshadowed).planes()
         },
     );
 }

@@ -245,12 +245,11 @@ pub struct Draw<T: Real> {
 impl<T: Real> Draw<T> {
     /// From D, G₁/(4 N·wo) and G/G₁ of the pair, so that the density is that of `pdf` to the last bit.
     #[inline(always)]
-    pub(super) fn of(facet: &Facet<T>, density: T, masking: T, unshadowed: T) -> Self {
-        let Facet { pair, cos } = facet;
+    pub(super) fn of(pair: &Pair<T>, density: T, masking: T, unshadowed: T) -> Self {
         Self {
             wi: pair.wi,
             pdf: pdf_of(pair, density, masking),
-            weight: Mirrored { cos: *cos, scale: unshadowed.only_where(pair.above) },
+            weight: Mirrored { cos: cos_d(pair), scale: unshadowed.only_where(pair.above) },
         }
     }
 
@@ -309,47 +308,33 @@ fn mirror<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     in_place::<T, _>(
         #[inline(always)]
         || {
-            let facet = Facet::<T>::new(wo, h);
-            let pair = &facet.pair;
+            let pair = &mirror_pair::<T>(wo, h);
             let unshadowed = shadowing.unshadowed(distribution, pair);
             let masking = shadowing.masking(distribution, pair);
-            Draw::of(&facet, distribution.density_along(pair.sum), masking, unshadowed)
+            Draw::of(pair, distribution.density_along(pair.sum), masking, unshadowed)
         },
     )
-}
-
-/// A facet that was drawn for a viewer.
-pub(super) struct Facet<T: Real> {
-    /// The viewer and what the facet mirrors to it.
-    pub(super) pair: Pair<T>,
-    /// V·H of the normal that was drawn. The Fresnel term, which takes longest, need not wait for the
-    /// pair's.
-    cos: T,
-}
-
-impl<T: Real> Facet<T> {
-    /// From a normal of any length. Nothing waits for its root.
-    #[inline(always)]
-    pub(super) fn new(viewer: T::Vec3, normal: T::Vec3) -> Self {
-        let above = above_surface::<T, _>(viewer);
-        let wo = above_or_normal::<T, _>(viewer);
-        let length_squared = Vector::length_squared(normal);
-        let usable = length_squared.gt(T::lit(1e-37)).and(above);
-        let length_squared = T::select(usable, length_squared, T::one());
-        let along = Vector::dot(viewer, normal);
-        let wi = normal * ((along + along) / length_squared) - viewer;
-        // The surface itself is the facet where there is none.
-        let wi = <T::Vec3 as Vector<T>>::select(usable, wi, T::Vec3::new(-wo.x(), -wo.y(), wo.z()));
-        let pair = Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above));
-        let cos = T::select(usable, along * length_squared.rsqrt(), wo.z());
-        Self { pair, cos: cos.max(T::zero()).at_most(T::one()) }
-    }
 }
 
 /// The density of samples from D and G₁/(4 N·wo).
 #[inline(always)]
 pub(super) fn pdf_of<T: Real>(pair: &Pair<T>, density: T, masking: T) -> T {
     (density * masking).min(T::max_finite()).only_where(pair.above)
+}
+
+/// A viewer and what a facet of a normal of any length mirrors to it. Nothing waits for the normal's root.
+#[inline(always)]
+pub(super) fn mirror_pair<T: Real>(viewer: T::Vec3, normal: T::Vec3) -> Pair<T> {
+    let above = above_surface::<T, _>(viewer);
+    let wo = above_or_normal::<T, _>(viewer);
+    let length_squared = Vector::length_squared(normal);
+    let usable = length_squared.gt(T::lit(1e-37)).and(above);
+    let length_squared = T::select(usable, length_squared, T::one());
+    let along = Vector::dot(viewer, normal);
+    let wi = normal * ((along + along) / length_squared) - viewer;
+    // The surface itself is the facet where there is none.
+    let wi = <T::Vec3 as Vector<T>>::select(usable, wi, T::Vec3::new(-wo.x(), -wo.y(), wo.z()));
+    Pair::where_above(wi, wo, above_surface::<T, _>(wi).and(above))
 }
 
 /// The cosine that the Fresnel term is asked for. That of a pair exceeds 1 by the rounding of the

@@ -74,10 +74,9 @@ impl<T: Real> Roughness<T> {
         let sine = |w: T::Vec3| (w.x().squared() + w.y().squared()).max(tiny).sqrt();
         let cosine = |w: T::Vec3| w.z().max(T::lit(1e-37));
         let ([sin_i, sin_o], [cos_i, cos_o]) = ([sine(wi), sine(wo)], [cosine(wi), cosine(wo)]);
-        let steeper = cos_i.lt(cos_o);
-        let pick = |yes: T, no: T| [T::select(steeper, no, yes), T::select(steeper, yes, no)];
-        let ([sin_a, sin_b], [cos_a, cos_b]) = (pick(sin_i, sin_o), pick(cos_i, cos_o));
-        let (a, b) = (self.angle(sin_a, cos_a), self.angle(sin_b, cos_b));
+        // At a tie either angle is as much one as the other, for the derivatives.
+        let a = self.angle(sin_i.min(sin_o), cos_i.max(cos_o));
+        let b = self.angle(sin_i.max(sin_o), cos_i.min(cos_o));
 
         // At the normal, where there is no azimuth, any serves.
         let along = wi.x() * wo.x() + wi.y() * wo.y();

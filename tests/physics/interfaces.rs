@@ -12,7 +12,7 @@ use brdf::{
 };
 use brdf_checks::interfaces::laws::{LAWS, mean_weights};
 use brdf_checks::interfaces::{self, rows, viewers};
-use brdf_checks::measure::derivatives::{LARGEST, over_sphere, questions_over_sphere};
+use brdf_checks::measure::derivatives::{LARGEST, Question, over_sphere, questions_over_sphere};
 use brdf_checks::measure::sampling::chi_squared::{Verdict, least_of};
 use brdf_checks::measure::sphere::sampling;
 use brdf_checks::sound::unsound_anywhere;
@@ -50,15 +50,25 @@ fn every_answer_in_single_precision_is_sound() {
 /// By every number of the description and by both directions, against differences.
 #[test]
 fn derivatives_over_the_sphere_are_those_of_the_answers() {
-    let (mut compared, mut undecided) = (0, 0);
+    let (mut compared, mut undecided, mut wrong) = (0, 0, Vec::new());
     for row in rows() {
-        let found = over_sphere(&row.bsdf, &questions_over_sphere(24));
+        // The smallest contrast makes a lobe of light that passed straight on: there is no derivative. That of
+        // the smallest height is 0, and differences see the squares of heights alone.
+        let form = row.form();
+        let continuous =
+            (form != "rough_dielectric" || row.is_rough()) && (form != "he_1991" || row.is_wave());
+        let questions = questions_over_sphere(24).into_iter();
+        let questions = questions.map(|at| Question { compared: at.compared && continuous, ..at });
+        let found = over_sphere(&row.bsdf, &questions.collect::<Vec<_>>());
         let name = &row.name;
-        assert!(found.faults.is_empty(), "{name}: {}", found.faults.join("\n"));
-        assert!(found.largest <= LARGEST, "{name}: {:e}: {}", found.largest, found.place);
+        wrong.extend(found.faults.iter().map(|fault| format!("{name}: {fault}")));
+        if found.largest > LARGEST {
+            wrong.push(format!("{name}: {found:?}"));
+        }
         compared += found.compared;
         undecided += found.undecided;
     }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     assert!(undecided * 20 < compared, "differences cannot tell {undecided} of {compared}");
 }
 
@@ -66,11 +76,12 @@ fn derivatives_over_the_sphere_are_those_of_the_answers() {
 /// in both precisions.
 #[test]
 fn draws_follow_the_density() {
-    const COUNT: u32 = 200_000;
+    const COUNT: u32 = 50_000;
     let models = interfaces::double().iter().zip(interfaces::single());
     let cases: Vec<_> = models
-        .filter(|(entry, _)| entry.row.is_rough())
+        .filter(|(entry, _)| entry.row.is_rough() || entry.row.has_parts())
         .flat_map(|(double, single)| viewers().into_iter().map(move |wo| (double, single, wo)))
+        .filter(|(double, _, wo)| wo.z > 0.0 || double.row.is_open())
         .collect();
     assert!(cases.len() > 80, "{}", cases.len());
     let least = least_of(2 * cases.len());

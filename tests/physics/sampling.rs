@@ -1,4 +1,4 @@
-//! The samples of every model, from every direction, in both precisions.
+//! The samples of every model, from many directions, in both precisions.
 
 use std::sync::LazyLock;
 
@@ -22,16 +22,17 @@ struct Case {
     promises: &'static Promises,
 }
 
-/// Every model from every direction.
+/// Every model from every second direction, in turns; the certificate has all of them.
 static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
     let (double, single) = (models::double(), models::single());
     let viewers = viewers::all();
     let tasks: Vec<(usize, usize)> = (0..double.len())
         .flat_map(|entry| (0..viewers.len()).map(move |viewer| (entry, viewer)))
+        .filter(|(entry, viewer)| (seed_of(double[*entry].name) + *viewer as u64).is_multiple_of(2))
         .collect();
     let case = |(entry, viewer): (usize, usize)| {
         let (model, (from, wo)) = (&*double[entry].model, viewers[viewer]);
-        let seed = (entry * viewers.len() + viewer) as u64;
+        let seed = seed_of(double[entry].name) + viewer as u64;
         Case {
             name: format!("{} from {from}", double[entry].name),
             sampling: measure(model, &*single[entry].model, wo, seed, SIZE),
@@ -40,6 +41,12 @@ static CASES: LazyLock<Vec<Case>> = LazyLock::new(|| {
     };
     tasks.into_par_iter().map(case).collect()
 });
+
+/// The same for a model whatever else is in the registry: FNV-1a.
+fn seed_of(name: &str) -> u64 {
+    let hash = |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    name.bytes().fold(0xcbf2_9ce4_8422_2325, hash) >> 8
+}
 
 /// Asserts something of all cases together, with a list of those that fail.
 fn assert_all(wrong: impl Fn(&Case) -> Option<String>) {

@@ -133,9 +133,12 @@ impl Row {
     /// Whether the model scatters, and not into single directions only.
     pub fn scatters(&self) -> bool {
         let form = self.form();
-        self.is_rough()
-            || self.is_wave()
-            || matches!(form.as_str(), "lambert" | "plastic" | "schlick_1994")
+        self.is_rough() || self.has_parts() || matches!(form.as_str(), "lambert" | "plastic")
+    }
+
+    /// Whether a direction may be drawn by several parts of the model, whose densities add.
+    pub fn has_parts(&self) -> bool {
+        self.is_wave() || self.form() == "schlick_1994"
     }
 
     /// Whether the model answers for viewers below the surface.

@@ -3,7 +3,7 @@
 use std::array;
 
 use brdf::description::{BrdfDescription, BsdfDescription, DescriptionError, Path};
-use brdf::{AnyBrdf, AnyBsdf, Brdf, Bsdf, Dual, Real, TransportMode, Vector, Vector3};
+use brdf::{AnyBrdf, AnyBsdf, Brdf, Bsdf, Dual, Mask, Real, TransportMode, Vector, Vector3};
 use glam::DVec3;
 
 use super::differences::{Difference, STEPS, Steps};
@@ -177,10 +177,14 @@ impl Described for BsdfDescription {
         let mode = TransportMode::Radiance;
         let [x, y] = at.u.map(T::lit);
         let sample = model.sample(wo, [x, y, T::lit(at.event)], mode);
+        // Where nothing is drawn the direction means nothing.
+        let drawn = sample.specular.or(sample.pdf.gt(T::zero()));
+        let up: T::Vec3 = Vector::new(T::zero(), T::zero(), T::one());
+        let direction = Vector::select(drawn, sample.wi, up);
         let lobes = model.specular(wo, mode);
         let lobes = lobes.reflected.weight + lobes.transmitted.weight * T::lit(0.5);
         let (value, pdf) = model.eval_pdf(wi, wo, mode);
-        Asked(value, pdf, [sample.wi, sample.weight], sample.pdf, lobes)
+        Asked(value, pdf, [direction, sample.weight], sample.pdf, lobes)
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use serde::Deserialize;
 
 use super::suite::Suite;
-use super::systematic::{Outcome, bugs, run};
+use super::systematic::{Bug, Outcome, bugs, run};
 use crate::faulty::source;
 use crate::{models, path, text};
 
@@ -21,6 +21,9 @@ pub struct Known {
     /// The bugs that no check can find.
     #[serde(default)]
     pub survivors: Vec<Survivor>,
+    /// Instead of a list of those: the least part of the bugs that is found.
+    #[serde(default)]
+    pub least: Option<f64>,
 }
 
 /// A bug that no check can find.
@@ -58,14 +61,15 @@ pub fn of_forms() -> BTreeSet<String> {
     files.filter(|file| path(file).is_file()).collect()
 }
 
-/// The obvious bugs of a file that no check finds, each as its line and what it is.
-pub fn survivors(suite: &Suite, file: &str) -> Vec<(String, String)> {
-    let outcomes = run(suite, &bugs(suite, file), || {});
+/// The obvious bugs of a file that no check finds, each as its line and what it is, of every so many bugs;
+/// and how many were looked for.
+pub fn survivors(suite: &Suite, file: &str, every: usize) -> (Vec<(String, String)>, usize) {
+    let bugs: Vec<Bug> = bugs(suite, file).into_iter().step_by(every).collect();
+    let outcomes = run(suite, &bugs, || {});
     let alive = outcomes.iter().filter(|outcome| outcome.killer.is_none());
-    alive
-        .map(|Outcome { place, fault, .. }| {
-            let line = source(place.file).lines().nth(place.line as usize - 1).unwrap_or_default();
-            (line.trim().to_owned(), format!("{:?}: {fault}", place.operation))
-        })
-        .collect()
+    let alive = alive.map(|Outcome { place, fault, .. }| {
+        let line = source(place.file).lines().nth(place.line as usize - 1).unwrap_or_default();
+        (line.trim().to_owned(), format!("{:?}: {fault}", place.operation))
+    });
+    (alive.collect(), outcomes.len())
 }

@@ -176,10 +176,13 @@ fn touched<R>(
     rows.into_iter().step_by(step).collect()
 }
 
+/// A law with its name.
+type Named<S> = (&'static str, fn(&S) -> Verdict);
+
 /// The laws that models break, each with the first model that does: one, or all.
 fn broken<R, S>(
     rows: &[&'static R],
-    laws: &[(&'static str, fn(&S) -> Verdict)],
+    laws: &[Named<S>],
     build: impl Fn(&'static R) -> S,
     name: impl Fn(&'static R) -> &'static str,
     exhaustive: bool,
