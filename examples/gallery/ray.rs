@@ -60,7 +60,7 @@ pub fn through(solid: &dyn Solid, light: Light, ray: &Ray, u: [f32; 5]) -> Vec3 
     };
     let [a, b, ..] = u.map(f32::to_bits);
     let mut random = Pcg32::seed_from_u64(u64::from(a) << 32 | u64::from(b));
-    solid.radiance(environment, ray.normal, ray.toward_viewer, u, &mut random)
+    solid.radiance(environment, ray.normal, ray.toward_viewer, &mut random)
 }
 
 /// Of a surface that reflects.

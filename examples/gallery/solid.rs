@@ -11,14 +11,12 @@ use crate::environment::Environment;
 
 /// A unit sphere that sends on light from all around.
 pub trait Solid: Send + Sync {
-    /// Radiance towards the viewer from a point of the surface, which is its normal too. The numbers are
-    /// spread evenly over the rays of a pixel, those drawn at `random` are not.
+    /// Radiance towards the viewer from a point of the surface, which is its normal too.
     fn radiance(
         &self,
         environment: &Environment,
         point: Vec3,
         toward_viewer: Vec3,
-        numbers: [f32; 5],
         random: &mut Pcg32,
     ) -> Vec3;
 }
@@ -34,7 +32,7 @@ const BOUNCES: u32 = 16;
 /// How often both what is reflected and what is refracted is followed: inside, one in twenty-five
 /// is reflected, and may be what meets the lamp.
 const SPLITS: u32 = 2;
-/// Paths for each ray: where light passes two rough surfaces few of them meet the lamp.
+/// Paths for each ray: between two rough surfaces few of them meet the lamp, which is small and bright.
 const PATHS: u16 = 6;
 
 /// A place of a path: its point, and where it came from.
@@ -53,15 +51,8 @@ impl Vertex {
 }
 
 impl<M: Bsdf<f32, Color = Vec3>> Ball<M> {
-    /// Radiance from a place to where the path came from: two numbers choose a direction to the light,
-    /// three one of the surface.
-    fn light(
-        &self,
-        environment: &Environment,
-        at: Vertex,
-        [u0, u1, u2, u3, u4]: [f32; 5],
-        random: &mut Pcg32,
-    ) -> Vec3 {
+    /// Radiance from a place to where the path came from.
+    fn light(&self, environment: &Environment, at: Vertex, random: &mut Pcg32) -> Vec3 {
         if at.depth == BOUNCES {
             return Vec3::ZERO;
         }
@@ -73,8 +64,8 @@ impl<M: Bsdf<f32, Color = Vec3>> Ball<M> {
         let drawn = match lobes.iter().any(|(weight, ..)| *weight != Vec3::ZERO) {
             true => lobes,
             false => {
-                light = self.found(environment, &frame, wo, [u0, u1]);
-                self.drawn(environment, &frame, wo, at.depth < SPLITS, [u2, u3, u4])
+                light = self.found(environment, &frame, wo, random.random());
+                self.drawn(environment, &frame, wo, at.depth < SPLITS, random.random())
             }
         };
         for (weight, wi, share) in drawn {
@@ -88,7 +79,7 @@ impl<M: Bsdf<f32, Color = Vec3>> Ball<M> {
                     false => {
                         let point = across(at.point, direction);
                         let next = Vertex { point, wo: -direction, depth: at.depth + 1 };
-                        self.light(environment, next, random.random(), random)
+                        self.light(environment, next, random)
                     }
                 };
         }
@@ -140,21 +131,11 @@ impl<M: Bsdf<f32, Color = Vec3>> Solid for Ball<M> {
         environment: &Environment,
         point: Vec3,
         toward_viewer: Vec3,
-        numbers: [f32; 5],
         random: &mut Pcg32,
     ) -> Vec3 {
-        // Shifted by multiples of irrational numbers, so that the paths are spread evenly too.
-        const STEPS: [f32; 5] = [0.754_877_7, 0.569_840_3, 0.569_840_3, 0.754_877_7, 0.618_034];
         let start = Vertex { point, wo: toward_viewer, depth: 0 };
-        let mut sum = Vec3::ZERO;
-        for path in 0..PATHS {
-            let mut shifted = numbers;
-            for (number, step) in shifted.iter_mut().zip(STEPS) {
-                *number = (*number + step * f32::from(path)).fract();
-            }
-            sum += self.light(environment, start, shifted, random);
-        }
-        sum / f32::from(PATHS)
+        let paths = (0..PATHS).map(|_| self.light(environment, start, random));
+        paths.sum::<Vec3>() / f32::from(PATHS)
     }
 }
 
@@ -238,7 +219,6 @@ where
         environment: &Environment,
         point: Vec3,
         toward_viewer: Vec3,
-        _: [f32; 5],
         _: &mut Pcg32,
     ) -> Vec3 {
         let onwards = -toward_viewer;
