@@ -26,6 +26,9 @@ impl fmt::Display for Cost {
     }
 }
 
+/// Light, viewer and the numbers of a sample.
+type Call = (Vec3, Vec3, [f32; 3]);
+
 /// A direction over the hemisphere, all alike.
 fn direction(random: &mut Pcg32) -> Vec3 {
     let cos = random.random_range(1e-3..1.0_f32);
@@ -38,7 +41,7 @@ fn direction(random: &mut Pcg32) -> Vec3 {
 pub fn all(steps: &[Step], small: bool) -> Vec<Cost> {
     let (count, turns) = if small { (64, 3) } else { (4096, 31) };
     let mut random = Pcg32::seed_from_u64(1);
-    let calls: Vec<(Vec3, Vec3, [f32; 3])> = (0..count)
+    let calls: Vec<Call> = (0..count)
         .map(|_| (direction(&mut random), direction(&mut random), random.random()))
         .collect();
     let mut times = vec![Vec::new(); steps.len()];
@@ -56,9 +59,9 @@ pub fn all(steps: &[Step], small: bool) -> Vec<Cost> {
 }
 
 /// Nanoseconds of a turn, for a call.
-fn turn(model: &Model, calls: &[(Vec3, Vec3, [f32; 3])]) -> [f64; 3] {
+fn turn(model: &Model, calls: &[Call]) -> [f64; 3] {
     let mode = TransportMode::Radiance;
-    let each = |call: &mut dyn FnMut(&(Vec3, Vec3, [f32; 3]))| {
+    let each = |call: &mut dyn FnMut(&Call)| {
         let start = Instant::now();
         calls.iter().for_each(call);
         start.elapsed().as_secs_f64() * 1e9 / calls.len() as f64
