@@ -75,8 +75,8 @@ pub use glossy::{
 };
 pub use gradient::{Differentiated, Gradient, gradient};
 pub use interface::{
-    AnyBsdf, AnySmith, Mirror, Opaque, Plastic, RefractedShadowing, RoughDielectric,
-    SmoothDielectric, SplitSchlick1994, ThinDielectric, TwoSided,
+    AnyBsdf, AnySmith, Mirror, Opaque, Plastic, RefractedShadowing, RetroReflector,
+    RoughDielectric, SmoothDielectric, SplitSchlick1994, ThinDielectric, TwoSided,
 };
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, DefaultShadowing,

@@ -9,8 +9,12 @@ use std::path::{Path, PathBuf};
 const LINKS: &str = include_str!("../src/guide/links.md");
 const GUIDE: &str = include_str!("../src/guide/mod.rs");
 /// What the documentation contains as data, and its media type.
-const PICTURES: [(&str, &str); 2] =
-    [("gallery.jpg", "image/jpeg"), ("measured-fits.svg", "image/svg+xml")];
+const PICTURES: [(&str, &str); 4] = [
+    ("gallery.jpg", "image/jpeg"),
+    ("history.jpg", "image/jpeg"),
+    ("history-lobes.svg", "image/svg+xml"),
+    ("measured-fits.svg", "image/svg+xml"),
+];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -1,20 +1,24 @@
 //! Pictures and plots of every model, on one page:
-//! `cargo run --release --example gallery -- [--out DIR] [--small]`.
+//! `cargo run --release --example gallery -- [--out DIR] [--small] [--only WORD]`.
 //!
 //! `--out` names the folder, `gallery` if nothing is said; `--small` makes tiny pictures of few
-//! rays, within seconds, to see that everything runs.
+//! rays, within seconds, to see that everything runs; `--only` makes the spheres alone whose file has
+//! the word in its name, and no page.
 
 mod environment;
 #[path = "../polarization/films.rs"]
 mod films;
 mod index;
 mod lettering;
+mod light;
 mod metal;
+mod moon;
 mod picture;
 #[path = "../path_tracer/plastic.rs"]
 mod plastic;
 mod plots;
 mod prism;
+mod ray;
 mod scenes;
 #[path = "../path_tracer/screen.rs"]
 mod screen;
@@ -23,24 +27,13 @@ mod solid;
 #[path = "../path_tracer/spectral.rs"]
 mod spectral;
 mod sphere;
+mod square;
 
 use std::error::Error;
 use std::path::PathBuf;
 
-use environment::{Environment, Lamp};
-use glam::Vec3;
 use indicatif::{ProgressBar, ProgressStyle};
 use sphere::Quality;
-
-const SQUARE: &[u8] = include_bytes!("data/city_256x128.hdr");
-
-/// Puts the brightest clouds to the left of the viewer and the buildings behind.
-const TURN: f32 = 0.1;
-/// White balance: a little warm, as the eye would have it.
-const EXPOSURE: Vec3 = Vec3::new(0.475, 0.45, 0.36);
-/// A round lamp before the square, at the left above the viewer's shoulder.
-const LAMP: Lamp =
-    Lamp { towards: Vec3::new(-0.5, 0.62, 0.6), radius: 0.2, radiance: Vec3::new(13.0, 11.5, 9.0) };
 
 const INTRODUCTION: &str = "Every model of the crate brdf on a sphere, and its formulas as plots. \
     The square is a photographed one under an overcast sky, and the lamp is round and warm, above \
@@ -66,26 +59,35 @@ const PAGES: [index::Link; 2] = [
 struct Arguments {
     out: PathBuf,
     small: bool,
+    only: Option<String>,
 }
 
 fn arguments() -> Result<Arguments, String> {
-    let mut arguments = Arguments { out: PathBuf::from("gallery"), small: false };
+    let mut arguments = Arguments { out: PathBuf::from("gallery"), small: false, only: None };
     let mut words = std::env::args().skip(1);
     while let Some(word) = words.next() {
         match word.as_str() {
             "--small" => arguments.small = true,
             "--out" => arguments.out = words.next().ok_or("--out needs a folder")?.into(),
-            other => return Err(format!("unknown argument {other}; known: --out DIR, --small")),
+            "--only" => arguments.only = Some(words.next().ok_or("--only needs a word")?),
+            other => {
+                return Err(format!(
+                    "unknown argument {other}; known: --out DIR, --small, --only WORD"
+                ));
+            }
         }
     }
     Ok(arguments)
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let Arguments { out, small } = arguments()?;
+    let Arguments { out, small, only } = arguments()?;
     std::fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
-    let square = Environment::new(SQUARE, TURN, EXPOSURE, LAMP)?;
-    let scenes = scenes::all(&square)?;
+    let square = square::square()?;
+    let mut scenes = scenes::all(&square)?;
+    if let Some(word) = &only {
+        scenes.retain(|scene| scene.picture.file.contains(word));
+    }
 
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {msg} {elapsed}")?;
     let bar = ProgressBar::new(scenes.len() as u64).with_style(style);
@@ -102,6 +104,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             .map_err(|error| format!("{}: {error}", path.display()))?;
         pictures.push(scene.picture);
         bar.inc(1);
+    }
+    if only.is_some() {
+        bar.finish_and_clear();
+        println!("{} pictures: {}", pictures.len(), out.display());
+        return Ok(());
     }
     let prism = prism::draw(&out, if small { 40 } else { 400 })?;
     pictures.push(prism);

@@ -1,6 +1,6 @@
 //! Measured metals in their own colour.
 
-use brdf::materials::{COPPER, GOLD, SILVER};
+use brdf::materials::{ALUMINIUM, COPPER, GOLD, SILVER};
 use brdf::{
     Brdf, Conductor, CookTorrance, Distribution, Fresnel, Illuminant, Observer, ParameterError,
     Sample, Shadowing,
@@ -23,6 +23,16 @@ pub fn silver() -> Result<Conductor<Spectral>, ParameterError> {
 /// Copper.
 pub fn copper() -> Result<Conductor<Spectral>, ParameterError> {
     COPPER.conductor(wavelengths())
+}
+
+/// Aluminium.
+pub fn aluminium() -> Result<Conductor<Spectral>, ParameterError> {
+    ALUMINIUM.conductor(wavelengths())
+}
+
+/// What a metal reflects along its normal, seen by the eye.
+pub fn color(metal: &Conductor<Spectral>) -> Result<Vec3, ParameterError> {
+    Ok(Observer::new(Illuminant::D65, WAVELENGTHS)?.linear_srgb(metal.reflectance(1.0)))
 }
 
 /// Microfacets of a spectral reflectance, seen by the eye.

@@ -31,9 +31,9 @@ pub struct Ball<M> {
 const BOUNCES: u32 = 16;
 /// How often both what is reflected and what is refracted is followed: inside, one in twenty-five
 /// is reflected, and may be what meets the lamp.
-const SPLITS: u32 = 3;
-/// Paths for each ray.
-const PATHS: u16 = 2;
+const SPLITS: u32 = 2;
+/// Paths for each ray: between two rough surfaces few of them meet the lamp, which is small and bright.
+const PATHS: u16 = 6;
 
 /// A place of a path: its point, and where it came from.
 #[derive(Clone, Copy)]

@@ -2,14 +2,15 @@
 
 use std::error::Error;
 
-use brdf::{Brdf, Frame};
+use brdf::{Brdf, Bsdf, Opaque};
 use glam::{Vec2, Vec3};
 use image::{Rgb, RgbImage};
 use rand::{RngExt, SeedableRng};
 use rand_pcg::Pcg32;
 use rayon::prelude::*;
 
-use crate::environment::Environment;
+use crate::light::Light;
+use crate::ray::{Ray, radiance, through};
 use crate::solid::Solid;
 use crate::{lettering, screen};
 
@@ -20,6 +21,10 @@ pub type Material = Box<dyn Brdf<Color = Vec3>>;
 pub enum Tile {
     /// A sphere.
     Sphere(Material),
+    /// A sphere of which a part of the light is reflected as by a mirror.
+    Polished(Box<dyn Bsdf<Color = Vec3>>),
+    /// A disc that was brushed in circles.
+    Disc(Material),
     /// A sphere that light passes through.
     Solid(Box<dyn Solid>),
     /// The picture of a square minus that of another, both given by their places, so many times, on
@@ -34,44 +39,6 @@ pub enum Tile {
     },
 }
 
-/// What lights the spheres.
-#[derive(Clone, Copy, Debug)]
-pub enum Light<'a> {
-    /// Radiance from all around.
-    Around(&'a Environment),
-    /// Radiance 1 from everywhere, shown without a tone curve: 1 is white.
-    Furnace,
-    /// Parallel light from a direction in the camera's frame (x right, y up, z to the viewer),
-    /// with the irradiance of a surface that faces it.
-    Distant {
-        /// Towards the light; of length 1.
-        towards: Vec3,
-        /// For all three channels.
-        irradiance: f32,
-    },
-}
-
-impl Light<'_> {
-    /// What a caption says of it.
-    pub fn words(&self) -> String {
-        match self {
-            Self::Around(_) => "Light: the square and the lamp.".into(),
-            Self::Furnace => {
-                "Light: a white furnace, radiance 1 from everywhere. 1 is shown white, and what is \
-                 above 1 red."
-                    .into()
-            }
-            Self::Distant { towards, .. } if towards.z > 0.999 => {
-                "Light: parallel, from behind the viewer.".into()
-            }
-            Self::Distant { towards, .. } => {
-                let angle = towards.z.acos().to_degrees();
-                format!("Light: parallel, from the right, {angle:.0}° from the viewer.")
-            }
-        }
-    }
-}
-
 /// Width of a sphere's square in pixels and rays per pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Quality {
@@ -83,8 +50,6 @@ pub struct Quality {
 
 /// Radius of a sphere over half the width of its square.
 const RADIUS: f32 = 0.88;
-/// Height of the camera above the horizon, radians: the upper pole is in view.
-const ELEVATION: f32 = 0.35;
 /// The background at the top and at the bottom, values of a screen.
 const BACKGROUND: [f32; 2] = [0.35, 0.2];
 
@@ -112,12 +77,20 @@ pub fn render(
     let mut shown: Vec<Vec<Vec3>> = Vec::new();
     for (place, (label, tile)) in tiles.iter().enumerate() {
         let left = place as u32 * quality.tile;
+        let reflecting = |material: &Material, shape| {
+            let surface = Opaque::new(material);
+            square(&|ray, u| radiance(&surface, light, ray, u), shape, light, quality)
+        };
         let square = match tile {
-            Tile::Sphere(material) => {
-                sphere(&|ray, u| radiance(material, light, ray, u), light, quality)
+            Tile::Sphere(material) => reflecting(material, Ray::at_sphere),
+            Tile::Disc(material) => reflecting(material, Ray::at_disc),
+            Tile::Polished(surface) => {
+                let shade = |ray: &Ray, u| radiance(&**surface, light, ray, u);
+                square(&shade, Ray::at_sphere, light, quality)
             }
             Tile::Solid(solid) => {
-                sphere(&|ray, u| through(&**solid, light, ray, u), light, quality)
+                let shade = |ray: &Ray, u| through(&**solid, light, ray, u);
+                square(&shade, Ray::at_sphere, light, quality)
             }
             Tile::Difference { of, minus, times } => {
                 let difference = |(of, minus): (&Vec3, &Vec3)| 0.5 + (*of - *minus) * *times;
@@ -138,21 +111,27 @@ pub fn render(
     Ok(picture)
 }
 
+/// Radiance towards the camera along a ray, from five uniform numbers.
+type Shade<'a> = &'a (dyn Fn(&Ray, [f32; 5]) -> Vec3 + Sync);
+
+/// The ray at a place of the picture, in units of the radius, if there is something.
+type Shape = fn(Vec2) -> Option<Ray>;
+
 /// One square as a screen's values, 0 … 1. The pixels of all squares draw the same numbers, so that
 /// differences are of the models and not of the noise.
-fn sphere(shade: Shade<'_>, light: Light, quality: Quality) -> Vec<Vec3> {
+fn square(shade: Shade<'_>, shape: Shape, light: Light, quality: Quality) -> Vec<Vec3> {
     let pixel = |index: u32| {
         let corner = Vec2::new((index % quality.tile) as f32, (index / quality.tile) as f32);
         let mut random = Pcg32::seed_from_u64(index.into());
-        pixel_value(shade, light, corner, quality, random.random())
+        pixel_value((shade, shape), light, corner, quality, random.random())
     };
     (0..quality.tile * quality.tile).into_par_iter().map(pixel).collect()
 }
 
-/// A pixel as a screen's value. Sphere and background are averaged apart and joined after the tone
+/// A pixel as a screen's value. What is shown and background are averaged apart and joined after the tone
 /// curve, so that bright edges are smooth.
 fn pixel_value(
-    shade: Shade<'_>,
+    (shade, shape): (Shade<'_>, Shape),
     light: Light,
     corner: Vec2,
     quality: Quality,
@@ -161,22 +140,23 @@ fn pixel_value(
     let tile = quality.tile as f32;
     let (mut sum, mut hits) = (Vec3::ZERO, 0.0);
     for index in 0..quality.rays {
-        // Three even point sets, each in another order, so that they do not follow each other.
+        // Even point sets, each in another order, so that they do not follow each other.
         let shuffled = |factor: u32| u32::from(index) * factor % u32::from(quality.rays);
         let [ax, ay] = point(shuffled(1), Vec2::new(offset[0], offset[1]));
         let [u0, u1] = point(shuffled(29), Vec2::new(offset[2], offset[3]));
         let [u2, u3] = point(shuffled(43), Vec2::new(offset[4], offset[5]));
-        let u = [u0, u1, u2, u3];
+        let [u4, _] = point(shuffled(13), Vec2::new(offset[5], offset[0]));
         let position = (corner + Vec2::new(ax, ay)) * (2.0 / tile) - 1.0;
         let position = Vec2::new(position.x, -position.y) / RADIUS;
-        if position.length_squared() < 1.0 {
-            sum += shade(&Ray::new(position), u);
+        if let Some(ray) = shape(position) {
+            sum += shade(&ray, [u0, u1, u2, u3, u4]);
             hits += 1.0;
         }
     }
     let [top, bottom] = BACKGROUND;
     let background = match light {
         Light::Furnace => Vec3::ONE,
+        Light::Sun { .. } => Vec3::ZERO,
         _ => Vec3::splat(top + (bottom - top) * corner.y / tile),
     };
     if hits == 0.0 {
@@ -200,81 +180,6 @@ fn point(index: u32, offset: Vec2) -> [f32; 2] {
         ((value - value.floor()) as f32).min(1.0 - f32::EPSILON)
     };
     [turn(offset.x, 1.0 / ROOT), turn(offset.y, 1.0 / (ROOT * ROOT))]
-}
-
-/// Radiance towards the camera along a ray, from four uniform numbers.
-type Shade<'a> = &'a (dyn Fn(&Ray, [f32; 4]) -> Vec3 + Sync);
-
-/// A ray that meets the unit sphere.
-struct Ray {
-    /// The point, which is the normal too.
-    normal: Vec3,
-    toward_viewer: Vec3,
-}
-
-/// From the camera's frame.
-fn to_world(v: Vec3) -> Vec3 {
-    let (sin, cos) = ELEVATION.sin_cos();
-    Vec3::new(v.x, v.y * cos + v.z * sin, v.z * cos - v.y * sin)
-}
-
-impl Ray {
-    /// At a place in the picture.
-    fn new(position: Vec2) -> Self {
-        let depth = (1.0 - position.length_squared()).max(0.0).sqrt();
-        Self { normal: to_world(position.extend(depth)), toward_viewer: to_world(Vec3::Z) }
-    }
-}
-
-/// Of a sphere that light passes through; it knows no other light than that from all around.
-fn through(solid: &dyn Solid, light: Light, ray: &Ray, u: [f32; 4]) -> Vec3 {
-    let Light::Around(environment) = light else {
-        return Vec3::ZERO;
-    };
-    let [a, b, ..] = u.map(f32::to_bits);
-    let mut random = Pcg32::seed_from_u64(u64::from(a) << 32 | u64::from(b));
-    solid.radiance(environment, ray.normal, ray.toward_viewer, &mut random)
-}
-
-/// Of a surface that reflects.
-fn radiance(material: &Material, light: Light, ray: &Ray, u: [f32; 4]) -> Vec3 {
-    // The tangent runs along the parallels of latitude.
-    let frame = Frame::from_normal_and_tangent::<f32>(ray.normal, Vec3::Y.cross(ray.normal));
-    let wo = frame.to_local::<f32>(ray.toward_viewer);
-    match light {
-        Light::Distant { towards, irradiance } => {
-            let wi = frame.to_local::<f32>(to_world(towards));
-            material.eval(wi, wo) * wi.z.max(0.0) * irradiance
-        }
-        Light::Furnace => material.sample(wo, [u[2], u[3]]).weight,
-        Light::Around(environment) => reflected(material, environment, &frame, wo, u),
-    }
-}
-
-/// ∫ f L cosθ dω from one direction drawn from the light and one from the material, weighed by
-/// their densities (the balance heuristic: E. Veach, L. Guibas, SIGGRAPH 1995).
-fn reflected(
-    material: &Material,
-    environment: &Environment,
-    frame: &Frame<Vec3>,
-    wo: Vec3,
-    [u0, u1, u2, u3]: [f32; 4],
-) -> Vec3 {
-    let (direction, light_pdf) = environment.sample([u0, u1]);
-    let wi = frame.to_local::<f32>(direction);
-    let from_light = if wi.z > 0.0 {
-        let density = light_pdf + material.pdf(wi, wo);
-        material.eval(wi, wo) * environment.radiance(direction) * (wi.z / density)
-    } else {
-        Vec3::ZERO
-    };
-    let sample = material.sample(wo, [u2, u3]);
-    if sample.pdf <= 0.0 {
-        return from_light;
-    }
-    let direction = frame.to_world::<f32>(sample.wi);
-    let share = 1.0 / (1.0 + environment.pdf(direction) / sample.pdf);
-    from_light + sample.weight * environment.radiance(direction) * share
 }
 
 /// In a furnace a radiance is shown as it is, and the redder the more it is above 1.

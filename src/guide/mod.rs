@@ -14,6 +14,11 @@ pub mod evaluate {}
 
 #[cfg_attr(not(doctest), doc = include_str!("links.md"))]
 #[cfg_attr(not(doctest), doc = include_str!("pictures.md"))]
+#[doc = include_str!("../../docs/history.md")]
+pub mod history {}
+
+#[cfg_attr(not(doctest), doc = include_str!("links.md"))]
+#[cfg_attr(not(doctest), doc = include_str!("pictures.md"))]
 #[doc = include_str!("../../docs/measured-fits.md")]
 pub mod measured_fits {}
 

@@ -6,8 +6,10 @@ mod diffuse;
 mod energy;
 mod figure;
 mod fresnel;
+mod lobe;
 mod lobes;
 mod microfacet;
+mod moon;
 mod polar;
 mod shadowing;
 mod style;
@@ -22,7 +24,7 @@ use figure::Figure;
 type Draw = fn() -> Result<Figure, Box<dyn Error>>;
 
 /// In the order of the page.
-const FIGURES: [Draw; 20] = [
+const FIGURES: [Draw; 21] = [
     fresnel::glass,
     fresnel::metals,
     fresnel::copper_polarized,
@@ -41,6 +43,7 @@ const FIGURES: [Draw; 20] = [
     lobes::off_specular,
     approximations::powers,
     diffuse::full_moon,
+    moon::phases,
     energy::conserving,
     energy::not_conserving,
 ];

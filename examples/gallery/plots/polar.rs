@@ -65,11 +65,15 @@ impl Lobes {
 
     fn draw_grid(&self, area: &Area<'_>, dial: &Dial) -> Result<(), Box<dyn Error>> {
         let text = |horizontal, vertical| anchored(letters(LETTERS, INK), horizontal, vertical);
-        for (fraction, label) in &self.circles {
+        // Labels that would run into each other are left out, from the outermost one every second.
+        let spacing = self.circles.first().map_or(1.0, |(fraction, _)| *fraction);
+        let every = if spacing * dial.radius < f64::from(px(34.0)) { 2 } else { 1 };
+        for (place, (fraction, label)) in self.circles.iter().rev().enumerate() {
             let circle = (-90..=90).map(|d| dial.place((f64::from(d), *fraction))).collect();
             let pen = Pen { color: GRID, dash: Dash::Solid };
             draw_line(area, circle, pen, 1.0)?;
-            for degrees in [-90.0, 90.0] {
+            let sides: &[f64] = if place % every == 0 { &[-90.0, 90.0] } else { &[] };
+            for &degrees in sides {
                 let (x, y) = dial.place((degrees, *fraction));
                 let style = text(HPos::Center, VPos::Center);
                 area.draw(&Text::new(label.as_str(), (x, y + px(17.0)), style))?;

@@ -10,9 +10,10 @@ use glam::Vec3;
 
 use super::{Scene, material, row, series};
 use crate::environment::Environment;
+use crate::light::Light;
 use crate::metal;
 use crate::spectral::{Spectral, WAVELENGTHS};
-use crate::sphere::{Light, Material};
+use crate::sphere::Material;
 
 const SECTION: &str = "Microfacets: reflectance";
 

@@ -13,10 +13,11 @@ use glam::{DVec3, Vec3};
 
 use super::{Scene, material};
 use crate::environment::Environment;
+use crate::light::Light;
 use crate::picture::Picture;
 use crate::solid::{Ball, Bubble, Film, Solid};
 use crate::spectral::{self, Spectral, wavelengths};
-use crate::sphere::{Light, Material, Tile};
+use crate::sphere::{Material, Tile};
 
 const SECTION: &str = "Glass and films";
 

@@ -8,7 +8,8 @@ use glam::Vec3;
 
 use super::{Scene, material, row, series};
 use crate::environment::Environment;
-use crate::sphere::{Light, Material};
+use crate::light::Light;
+use crate::sphere::Material;
 
 const SECTION: &str = "Lobes around the mirror direction";
 /// Reflects 0.9 of the light that falls along the normal.

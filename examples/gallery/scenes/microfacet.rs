@@ -11,9 +11,10 @@ use glam::Vec3;
 
 use super::{ROUGHNESSES, Scene, material, row, series, single};
 use crate::environment::Environment;
+use crate::light::Light;
 use crate::metal;
 use crate::spectral::Spectral;
-use crate::sphere::{Light, Material};
+use crate::sphere::Material;
 
 const DISTRIBUTIONS: &str = "Microfacets: distributions";
 const SHADOWING: &str = "Microfacets: shadowing";

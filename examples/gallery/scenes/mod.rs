@@ -1,11 +1,14 @@
 //! What is shown: materials, light and words.
 
+mod brushed;
 mod diffuse;
 mod fresnel;
 mod glass;
 mod lobes;
 mod microfacet;
+mod moon;
 mod showpiece;
+mod wave;
 
 use std::error::Error;
 
@@ -13,8 +16,9 @@ use brdf::Brdf;
 use glam::Vec3;
 
 use crate::environment::Environment;
+use crate::light::Light;
 use crate::picture::Picture;
-use crate::sphere::{Light, Material, Tile};
+use crate::sphere::{Material, Tile};
 
 /// A picture to be made: a row of spheres under one light.
 pub struct Scene<'a> {
@@ -35,8 +39,11 @@ pub fn all(square: &Environment) -> Result<Vec<Scene<'_>>, Box<dyn Error>> {
     scenes.extend(showpiece::scenes(square)?);
     scenes.extend(glass::scenes(square)?);
     scenes.extend(diffuse::scenes(square)?);
+    scenes.extend(moon::scenes()?);
     scenes.extend(lobes::scenes(square)?);
     scenes.extend(microfacet::scenes(square)?);
+    scenes.extend(brushed::scenes(square)?);
+    scenes.push(wave::scene(square)?);
     scenes.extend(fresnel::scenes(square)?);
     Ok(scenes)
 }

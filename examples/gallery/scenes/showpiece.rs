@@ -7,9 +7,10 @@ use glam::Vec3;
 
 use super::{Scene, material, row, series, single};
 use crate::environment::Environment;
+use crate::light::Light;
 use crate::metal;
 use crate::plastic::Plastic;
-use crate::sphere::{Light, Material};
+use crate::sphere::Material;
 
 const SECTION: &str = "Materials";
 
