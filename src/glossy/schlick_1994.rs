@@ -5,7 +5,7 @@ use super::schlick_layer::{Schlick1994Layer, SchlickShadowing};
 use crate::brdf::{Brdf, Sample};
 use crate::direction::{Pair, above_or_normal, above_surface, reflect};
 use crate::distribution::Spread;
-use crate::error::{ParameterError, Range, range};
+use crate::error::{ParameterError, range};
 use crate::microfacet::over_facets;
 use crate::parameter::{Kind, Parameter, Preset, model};
 use crate::quadrature::over_hemisphere;
@@ -110,8 +110,9 @@ lift! {
 }
 
 /// How many layers there may be.
+#[cfg(feature = "serde")]
 pub(crate) fn check_schlick_layers(count: usize) -> Result<(), ParameterError> {
-    Range::new(1.0, 2.0).check("number of layers", count as f64)
+    crate::error::Range::new(1.0, 2.0).check("number of layers", count as f64)
 }
 
 impl<C, T> Schlick1994<C, T> {
