@@ -71,8 +71,8 @@ pub use fresnel::{
 pub use glossy::{BlinnPhong, ClassicPhong, Phong, SchlickPower};
 pub use gradient::{Differentiated, Gradient, gradient};
 pub use interface::{
-    AnyBsdf, AnySmith, Mirror, Opaque, Plastic, RefractedShadowing, RoughDielectric,
-    SmoothDielectric, ThinDielectric, TwoSided,
+    AnyBsdf, AnySmith, Mirror, Opaque, Plastic, RefractedShadowing, RetroReflector,
+    RoughDielectric, SmoothDielectric, ThinDielectric, TwoSided,
 };
 pub use microfacet::{
     AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed, DefaultShadowing,

@@ -9,6 +9,7 @@ mod mirror;
 mod opaque;
 mod plastic;
 mod refracted;
+mod retro_reflector;
 mod rough;
 mod side;
 mod smooth;
@@ -20,6 +21,7 @@ pub use crossed::{AnySmith, RefractedShadowing};
 pub use mirror::Mirror;
 pub use opaque::Opaque;
 pub use plastic::Plastic;
+pub use retro_reflector::RetroReflector;
 #[cfg(feature = "serde")]
 pub(crate) use rough::ROUGH_IOR;
 pub use rough::RoughDielectric;

@@ -133,9 +133,10 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
             (part / T::select(some, of, one)).at_most(one).only_where(some)
         };
         let spread = diffuse + uniform;
-        let by_uniform = share(uniform, spread);
-        let by_lobe = T::select(spread.gt(zero), share(lobe, lobe + spread), one);
-        Chances { lobe: [by_lobe, one - by_lobe], rest: [by_uniform, one - by_uniform] }
+        // Written so that parts that begin at 0 have the derivatives of their probabilities there.
+        let by_uniform = T::select(spread.gt(zero), share(uniform, spread), one);
+        let by_rest = share(spread, lobe + spread);
+        Chances { lobe: [one - by_rest, by_rest], rest: [by_uniform, one - by_uniform] }
     }
 
     #[inline(always)]
