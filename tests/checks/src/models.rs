@@ -133,29 +133,36 @@ pub fn rows() -> &'static [Row] {
     &ROWS
 }
 
-/// All models in double precision.
+/// All models in double precision. What makes models is never compiled where it is asked for, or all
+/// models would be.
+#[inline(never)]
 pub fn double() -> &'static [Entry<f64>] {
     static ALL: LazyLock<Vec<Entry<f64>>> = LazyLock::new(|| all(Row::whole));
     &ALL
 }
 
 /// All models in single precision.
+#[inline(never)]
 pub fn single() -> &'static [Entry<f32>] {
     static ALL: LazyLock<Vec<Entry<f32>>> = LazyLock::new(|| all(Row::whole));
     &ALL
 }
 
-/// All models in four lanes of double precision: built in lanes, and built as scalars and lifted.
-pub fn double_lanes() -> [Vec<Entry<Lanes<f64, 4>>>; 2] {
-    [all(Row::one_by_one), all(|row| row.lifted(|parameter: f64| Lanes([parameter; 4])))]
+/// All models in lanes of double precision, as many as a register of 128 bits has: built in lanes,
+/// and built as scalars and lifted.
+#[inline(never)]
+pub fn double_lanes() -> [Vec<Entry<Lanes<f64, 2>>>; 2] {
+    [all(Row::one_by_one), all(|row| row.lifted(|parameter: f64| Lanes([parameter; 2])))]
 }
 
 /// The same in single precision.
+#[inline(never)]
 pub fn single_lanes() -> [Vec<Entry<Lanes<f32, 4>>>; 2] {
     [all(Row::one_by_one), all(|row| row.lifted(|parameter: f32| Lanes([parameter; 4])))]
 }
 
 /// All models over numbers that err; built anew, with the fault that is armed.
+#[inline(never)]
 pub fn faulty() -> Vec<Entry<Faulty>> {
     all(Row::one_by_one)
 }

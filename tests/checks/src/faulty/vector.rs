@@ -23,7 +23,7 @@ macro_rules! operators {
     ($($operator:ident $method:ident)*) => {$(
         impl $operator for FaultyVector {
             type Output = Self;
-            #[inline(always)]
+            #[inline(never)]
             #[track_caller]
             fn $method(self, other: Self) -> Self {
                 let ([a, b, c], [x, y, z]) = (self.0, other.0);
@@ -36,7 +36,7 @@ operators!(Add add Sub sub Mul mul);
 
 impl Mul<Faulty> for FaultyVector {
     type Output = Self;
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn mul(self, scale: Faulty) -> Self {
         let [a, b, c] = self.0;
@@ -46,7 +46,7 @@ impl Mul<Faulty> for FaultyVector {
 
 impl Neg for FaultyVector {
     type Output = Self;
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn neg(self) -> Self {
         let [a, b, c] = self.0;
@@ -59,31 +59,31 @@ impl Vector<Faulty> for FaultyVector {
     fn new(x: Faulty, y: Faulty, z: Faulty) -> Self {
         Self([x, y, z])
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn x(self) -> Faulty {
         let [x, y, z] = self.numbers();
         Faulty(at(Operation::X, y, z, x))
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn y(self) -> Faulty {
         let [x, y, z] = self.numbers();
         Faulty(at(Operation::Y, x, z, y))
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn z(self) -> Faulty {
         let [x, y, z] = self.numbers();
         Faulty(at(Operation::Z, x, y, z))
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn dot(self, other: Self) -> Faulty {
         let ([a, b, c], [x, y, z]) = (self.numbers(), other.numbers());
         Faulty(at(Operation::Dot, c, z, a * x + b * y + c * z))
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn cross(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.numbers(), other.numbers());
@@ -93,14 +93,14 @@ impl Vector<Faulty> for FaultyVector {
             Faulty(at(Operation::Cross, a * y, b * x, a * y - b * x)),
         ])
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn length_squared(self) -> Faulty {
         let [x, y, z] = self.numbers();
         Faulty(at(Operation::LengthSquared, x, z, x * x + y * y + z * z))
     }
     /// The components that are not normalised are the operands.
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn normalize_or_normal(self) -> Self {
         let raw = self.numbers();
@@ -111,7 +111,7 @@ impl Vector<Faulty> for FaultyVector {
             Faulty(at(Operation::Normalize, raw[2], 0.0, unit[2])),
         ])
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn select(mask: FaultyMask, yes: Self, no: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (yes.0, no.0);
@@ -123,42 +123,42 @@ impl Color<Faulty> for FaultyVector {
     type Over<U: Real> = U::Vec3;
     type Channels<E: Debug + Send> = [E; 3];
 
-    #[inline(always)]
+    #[inline(never)]
     fn by_channel<E: Debug + Send>(make: impl FnMut(usize) -> E) -> [E; 3] {
         std::array::from_fn(make)
     }
-    #[inline(always)]
+    #[inline(never)]
     fn channels(self) -> [Faulty; 3] {
         self.0
     }
-    #[inline(always)]
+    #[inline(never)]
     fn from_channels(channels: [Faulty; 3]) -> Self {
         Self(channels)
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn splat(value: Faulty) -> Self {
         Self([value; 3])
     }
-    #[inline(always)]
+    #[inline(never)]
     fn map(self, formula: impl Fn(Faulty) -> Faulty) -> Self {
         Self(self.0.map(formula))
     }
-    #[inline(always)]
+    #[inline(never)]
     fn zip(self, other: Self, formula: impl Fn(Faulty, Faulty) -> Faulty) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([formula(a, x), formula(b, y), formula(c, z)])
     }
-    #[inline(always)]
+    #[inline(never)]
     fn lift<U: Real>(self, lift: impl Fn(Faulty) -> U) -> U::Vec3 {
         let [x, y, z] = self.0;
         <U::Vec3 as Vector<U>>::new(lift(x), lift(y), lift(z))
     }
-    #[inline(always)]
+    #[inline(never)]
     fn fold<A>(self, start: A, step: impl Fn(A, Faulty) -> A) -> A {
         self.0.into_iter().fold(start, step)
     }
-    #[inline(always)]
+    #[inline(never)]
     #[track_caller]
     fn choose(mask: FaultyMask, yes: Self, no: Self) -> Self {
         Vector::select(mask, yes, no)
