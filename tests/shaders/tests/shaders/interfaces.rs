@@ -29,6 +29,9 @@ const STATEMENTS: &str = "
 /// Bytes of the functions of a model with constants: Beckmann's facets with the beta function have most.
 const LONGEST: usize = 34_000;
 
+/// Of models of wave optics, whose sums are written out.
+const LONGEST_SUMS: usize = 170_000;
+
 const fn program(text: &str) -> Program<'_> {
     Program { text, statements: STATEMENTS, inputs: 9, outputs: 12 }
 }
@@ -81,7 +84,9 @@ fn every_interface_is_a_valid_shader_in_all_languages() {
     for (row, mode) in interfaces::rows().iter().flat_map(|row| MODES.map(|mode| (row, mode))) {
         let text = constants(row, mode);
         println!("{:35} {mode:?} {:6} bytes", row.name, text.len());
-        assert!(text.len() <= LONGEST, "{}: {}", row.name, text.len());
+        let sums = matches!(row.form().as_str(), "beckmann_kirchhoff_1963" | "he_1991");
+        let longest = if sums { LONGEST_SUMS } else { LONGEST };
+        assert!(text.len() <= longest, "{}: {}", row.name, text.len());
         let mut module = Module::new();
         let binding = Binding { group: 1, binding: 0 };
         let uniforms = module.add_described_bsdf_with("model", &row.bsdf, mode, binding);
