@@ -68,10 +68,14 @@ impl<T: Real, C: Color<T>> Lobes<T, C> {
 
     /// The one lobe of a viewer of whom nothing passes, where there is a viewer.
     #[inline(always)]
+    pub(crate) fn reflected(wo: T::Vec3, lobe: Lobe<T, C>, exists: T::Mask) -> Self {
+        Self { reflected: lobe, ..Self::none(wo) }.only_where(exists)
+    }
+
+    /// That of a mirror.
+    #[inline(always)]
     pub(crate) fn mirror(wo: T::Vec3, weight: C, exists: T::Mask) -> Self {
-        let lobes = Self::none(wo);
-        let reflected = Lobe { wi: mirrored::<T, _>(wo), weight };
-        Self { reflected, ..lobes }.only_where(exists)
+        Self::reflected(wo, Lobe { wi: mirrored::<T, _>(wo), weight }, exists)
     }
 
     /// The powers of a beam, of lobes for importance.

@@ -162,7 +162,9 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
             let of = |channel| all.as_ref().get(channel).map_or(f64::NAN, part);
             C::from_channels(C::by_channel(|channel| T::lit(of(channel))))
         };
-        let index = || RefractiveIndex { eta: part(|it| it.eta), k: part(|it| it.k) };
-        problem.map_or_else(|| Ok(index()), Err)
+        match problem {
+            Some(problem) => Err(problem),
+            None => Ok(RefractiveIndex { eta: part(|it| it.eta), k: part(|it| it.k) }),
+        }
     }
 }

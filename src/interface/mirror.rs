@@ -1,9 +1,8 @@
 use core::array;
 
-use super::side::Viewer;
+use super::side::{Viewer, nothing_but_lobes};
 use crate::block::{BLOCK, EventBlock, Plane, SampleBlock};
-use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
-use crate::direction::above_surface;
+use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::fresnel::Fresnel;
 use crate::real::{Color, Lift, Real, Vector, lift};
 
@@ -65,21 +64,11 @@ lift! {
 impl<T: Real, F: Fresnel<T>> Bsdf<T> for Mirror<F> {
     type Color = F::Color;
 
-    #[inline(always)]
-    fn eval(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> F::Color {
-        F::Color::splat(T::zero())
-    }
-
-    #[inline(always)]
-    fn pdf(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> T {
-        T::zero()
-    }
+    nothing_but_lobes!(T);
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, _: [T; 3], mode: TransportMode) -> BsdfSample<T, F::Color> {
-        let specular = above_surface::<T, _>(wo);
-        let Lobe { wi, weight } = self.specular(wo, mode).reflected;
-        BsdfSample { wi, weight, pdf: T::zero(), specular }
+        Viewer::above(wo).sample(&self.specular(wo, mode))
     }
 
     #[inline(always)]
@@ -87,10 +76,6 @@ impl<T: Real, F: Fresnel<T>> Bsdf<T> for Mirror<F> {
         let viewer = Viewer::<T>::above(wo);
         // As a part of a surface: a colour that no light has counts as 0.
         viewer.mirror(self.fresnel.reflected(viewer.wo.z().at_most(T::one()), T::one()))
-    }
-
-    fn power(&self, wo: T::Vec3) -> Power<F::Color> {
-        self.specular(wo, TransportMode::Importance).power()
     }
 
     fn sample_block(

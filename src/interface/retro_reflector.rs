@@ -1,6 +1,5 @@
-use super::side::Viewer;
+use super::side::{Viewer, nothing_but_lobes};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
-use crate::direction::above_surface;
 use crate::parameter::model;
 use crate::real::{Color, Real};
 
@@ -17,8 +16,8 @@ model! {
     }
     ///
     /// One [specular lobe](Bsdf::specular) above the surface: value and density are 0 everywhere, and below
-    /// the surface there is nothing. ρ is the same at all angles: real corners lose light where a ray misses one
-    /// of the mirrors, and spread what they return over some minutes of arc.
+    /// the surface there is nothing. ρ is the same at all angles: real corners lose the light of rays that miss
+    /// one of the mirrors.
     ///
     /// # Energy
     /// Reciprocal. Conserving: it reflects ρ.
@@ -50,32 +49,17 @@ model! {
 impl<T: Real, C: Color<T>> Bsdf<T> for RetroReflector<C> {
     type Color = C;
 
-    #[inline(always)]
-    fn eval(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> C {
-        C::splat(T::zero())
-    }
-
-    #[inline(always)]
-    fn pdf(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> T {
-        T::zero()
-    }
+    nothing_but_lobes!(T);
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, _: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
-        let specular = above_surface::<T, _>(wo);
-        let Lobe { wi, weight } = self.specular(wo, mode).reflected;
-        BsdfSample { wi, weight, pdf: T::zero(), specular }
+        Viewer::above(wo).sample(&self.specular(wo, mode))
     }
 
     #[inline(always)]
     fn specular(&self, wo: T::Vec3, _: TransportMode) -> Lobes<T, C> {
         let Viewer { wo, exists, .. } = Viewer::<T>::above(wo);
-        let lobes = Lobes::none(wo);
-        Lobes { reflected: Lobe { wi: wo, weight: self.reflectance }, ..lobes }.only_where(exists)
-    }
-
-    fn power(&self, wo: T::Vec3) -> Power<C> {
-        self.specular(wo, TransportMode::Importance).power()
+        Lobes::reflected(wo, Lobe { wi: wo, weight: self.reflectance }, exists)
     }
 }
 
@@ -111,6 +95,7 @@ mod tests {
                     let mirror = turn * axes[axis];
                     direction - mirror * (2.0 * direction.dot(mirror))
                 });
+                // Three reflections of a unit vector, each rounded.
                 assert!((lobe.wi - onwards).length() < 1e-15, "{theta} {order:?}");
             }
         }
@@ -133,10 +118,8 @@ mod tests {
         }
         // At the normal it is a mirror.
         let mirror = Mirror::new(Constant::new(DVec3::new(0.9, 0.5, 0.1)).expect("a reflectance"));
-        let [a, b] = [DVec3::Z; 2];
-        let lobes =
-            (sign().specular(a, MODES[0]).reflected, mirror.specular(b, MODES[0]).reflected);
-        assert_eq!(lobes.0, lobes.1);
+        let of_mirror = mirror.specular(DVec3::Z, MODES[0]).reflected;
+        assert_eq!(sign().specular(DVec3::Z, MODES[0]).reflected, of_mirror);
     }
 
     #[test]
@@ -161,7 +144,8 @@ mod tests {
         let single = RetroReflector::new(0.7_f32).expect("a reflectance");
         for (lane, wo) in wo.into_iter().enumerate() {
             let one: Lobe<f32, f32> = single.specular(wo, TransportMode::Radiance).reflected;
-            assert_eq!((lobe.weight.0[lane], lobe.wi.z.0[lane]), (one.weight, one.wi.z));
+            let wi = Vec3::new(lobe.wi.x.0[lane], lobe.wi.y.0[lane], lobe.wi.z.0[lane]);
+            assert_eq!((wi, lobe.weight.0[lane]), (one.wi, one.weight));
         }
     }
 

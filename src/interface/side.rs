@@ -42,6 +42,13 @@ impl<T: Real> Viewer<T> {
         Lobes::mirror(self.wo, weight, self.exists)
     }
 
+    /// The draw of the one lobe.
+    #[inline(always)]
+    pub(super) fn sample<C: Color<T>>(&self, lobes: &Lobes<T, C>) -> BsdfSample<T, C> {
+        let Lobe { wi, weight } = lobes.reflected;
+        BsdfSample { wi, weight, pdf: T::zero(), specular: self.exists }
+    }
+
     /// The direction straight through the surface.
     #[inline(always)]
     pub(super) fn opposite(&self) -> T::Vec3 {
@@ -56,6 +63,31 @@ impl<T: Real> Viewer<T> {
         T::select(self.below, T::one() / ior, ior)
     }
 }
+
+/// The answers of a model of lobes alone but the lobes and their draws, for its [`Bsdf`](crate::Bsdf).
+macro_rules! nothing_but_lobes {
+    ($t:ty) => {
+        #[inline(always)]
+        fn eval(
+            &self,
+            _: <$t as Real>::Vec3,
+            _: <$t as Real>::Vec3,
+            _: TransportMode,
+        ) -> Self::Color {
+            Color::splat(<$t>::zero())
+        }
+
+        #[inline(always)]
+        fn pdf(&self, _: <$t as Real>::Vec3, _: <$t as Real>::Vec3, _: TransportMode) -> $t {
+            <$t>::zero()
+        }
+
+        fn power(&self, wo: <$t as Real>::Vec3) -> Power<Self::Color> {
+            self.specular(wo, TransportMode::Importance).power()
+        }
+    };
+}
+pub(super) use nothing_but_lobes;
 
 /// What refraction multiplies by: (n_o/n_i)² for radiance, of the index n_i/n_o of the far side.
 #[inline(always)]

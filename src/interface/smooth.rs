@@ -1,4 +1,4 @@
-use super::side::{Viewer, refraction_scale, sample_lobes};
+use super::side::{Viewer, nothing_but_lobes, refraction_scale, sample_lobes};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
 use crate::direction::refracted_cosine;
 use crate::error::{ParameterError, range};
@@ -90,15 +90,7 @@ fn refracted<T: Real>(viewer: &Viewer<T>, far_over_near: T, transmittance: T) ->
 impl<T: Real, C: Color<T>> Bsdf<T> for SmoothDielectric<C, T> {
     type Color = C;
 
-    #[inline(always)]
-    fn eval(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> C {
-        C::splat(T::zero())
-    }
-
-    #[inline(always)]
-    fn pdf(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> T {
-        T::zero()
-    }
+    nothing_but_lobes!(T);
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, [_, _, u]: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
@@ -122,9 +114,5 @@ impl<T: Real, C: Color<T>> Bsdf<T> for SmoothDielectric<C, T> {
             },
         };
         lobes.only_where(viewer.exists)
-    }
-
-    fn power(&self, wo: T::Vec3) -> Power<C> {
-        self.specular(wo, TransportMode::Importance).power()
     }
 }

@@ -1,4 +1,4 @@
-use super::side::{Viewer, sample_lobes};
+use super::side::{Viewer, nothing_but_lobes, sample_lobes};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode};
 use crate::error::{ParameterError, range};
 use crate::fresnel::split_polarized;
@@ -89,15 +89,7 @@ impl<C, T: Real> ThinDielectric<C, T> {
 impl<T: Real, C: Color<T>> Bsdf<T> for ThinDielectric<C, T> {
     type Color = C;
 
-    #[inline(always)]
-    fn eval(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> C {
-        C::splat(T::zero())
-    }
-
-    #[inline(always)]
-    fn pdf(&self, _: T::Vec3, _: T::Vec3, _: TransportMode) -> T {
-        T::zero()
-    }
+    nothing_but_lobes!(T);
 
     #[inline(always)]
     fn sample(&self, wo: T::Vec3, [_, _, u]: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
@@ -115,9 +107,5 @@ impl<T: Real, C: Color<T>> Bsdf<T> for ThinDielectric<C, T> {
             transmitted: Lobe { wi: viewer.opposite(), weight: self.white * through },
         };
         lobes.only_where(viewer.exists)
-    }
-
-    fn power(&self, wo: T::Vec3) -> Power<C> {
-        self.specular(wo, TransportMode::Importance).power()
     }
 }

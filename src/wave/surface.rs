@@ -95,14 +95,13 @@ impl<T: Real, C: Color<T>> Surface<C, T> {
 
     #[inline(always)]
     fn wave(&self, sigma: T, wavelength: T) -> Wave<T> {
-        let k = T::lit(2.0 * PI) / wavelength;
-        Wave { height: k * sigma, length: self.length(wavelength) }
+        Wave { height: sigma * wave_number(wavelength), length: self.length(wavelength) }
     }
 
     /// kτ.
     #[inline(always)]
     pub(super) fn length(&self, wavelength: T) -> T {
-        self.correlation * (T::lit(2.0 * PI) / wavelength)
+        self.correlation * wave_number(wavelength)
     }
 
     /// The value of the diffuse part where everything is reflected.
@@ -189,4 +188,10 @@ impl<T: Real> Wave<T> {
         let value = (whole * series * scale).min(T::max_finite()) * visible;
         value.min(T::max_finite())
     }
+}
+
+/// k = 2π/λ.
+#[inline(always)]
+fn wave_number<T: Real>(wavelength: T) -> T {
+    T::lit(2.0 * PI) / wavelength
 }

@@ -41,7 +41,7 @@ macro_rules! lanes_equal_scalars {
         #[test]
         fn $test() {
             const N: usize = $n;
-            let pairs: Vec<($vector, $vector)> = pairs_to_grazing(256)
+            let pairs: Vec<($vector, $vector)> = pairs_to_grazing(1024)
                 .into_iter()
                 .map(|(wi, wo)| ($narrow(wi), $narrow(wo)))
                 .collect();

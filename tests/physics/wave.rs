@@ -108,7 +108,7 @@ fn known_surfaces_reflect_what_is_known() {
             assert!((got - want).abs() < 7e-4, "{} {degrees}: {got} {want}", all[index].0);
         }
     }
-    // Nothing hides: more comes back than arrives.
+    // Nothing hides: more comes back than arrives. To the digits that the page has.
     let got = reflected(&all[7].1, viewer(89.9));
     assert!((got - 17.0).abs() < 0.5, "{got}");
     let got = reflected(&all[7].1, viewer(80.0));
@@ -245,4 +245,20 @@ fn values_have_their_derivatives() {
     }
     let smooth = gradient([0.0, 1000.0, 550.0, 1.0], |at| value::<Dual<f64, 4>>(at, 0.0));
     assert_eq!(smooth.expect("in range").derivatives, [0.0; 4]);
+}
+
+/// The uniform part of a mirror begins at 0: the density of its draws, π a/(F + π a) cosθ/π, rises from there.
+#[test]
+fn a_part_that_begins_at_0_has_the_derivative_of_its_density() {
+    let wi: DVec3 = from_spherical(0.7, 1.0);
+    let density = gradient([0.0], |[a]: [Dual<f64, 1>; 1]| {
+        let lit = Dual::lit;
+        let he = He1991::new(lit(0.0), lit(1000.0), Constant::new(lit(0.8))?, lit(550.0))?;
+        let (wi, wo) = (Dual::vector(wi), Dual::vector(DVec3::Z));
+        Ok::<_, ParameterError>(he.with_uniform_diffuse(a)?.pdf(wi, wo, TransportMode::Radiance))
+    });
+    let density = density.expect("in range");
+    assert_eq!(density.value, 0.0);
+    let [got] = density.derivatives;
+    assert!((got - wi.z / 0.8).abs() < 1e-15, "{got}");
 }

@@ -123,38 +123,38 @@ impl Color<Faulty> for FaultyVector {
     type Over<U: Real> = U::Vec3;
     type Channels<E: Debug + Send> = [E; 3];
 
-    #[inline(never)]
+    #[inline(always)]
     fn by_channel<E: Debug + Send>(make: impl FnMut(usize) -> E) -> [E; 3] {
         std::array::from_fn(make)
     }
-    #[inline(never)]
+    #[inline(always)]
     fn channels(self) -> [Faulty; 3] {
         self.0
     }
-    #[inline(never)]
+    #[inline(always)]
     fn from_channels(channels: [Faulty; 3]) -> Self {
         Self(channels)
     }
 
-    #[inline(never)]
+    #[inline(always)]
     fn splat(value: Faulty) -> Self {
         Self([value; 3])
     }
-    #[inline(never)]
+    #[inline(always)]
     fn map(self, formula: impl Fn(Faulty) -> Faulty) -> Self {
         Self(self.0.map(formula))
     }
-    #[inline(never)]
+    #[inline(always)]
     fn zip(self, other: Self, formula: impl Fn(Faulty, Faulty) -> Faulty) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([formula(a, x), formula(b, y), formula(c, z)])
     }
-    #[inline(never)]
+    #[inline(always)]
     fn lift<U: Real>(self, lift: impl Fn(Faulty) -> U) -> U::Vec3 {
         let [x, y, z] = self.0;
         <U::Vec3 as Vector<U>>::new(lift(x), lift(y), lift(z))
     }
-    #[inline(never)]
+    #[inline(always)]
     fn fold<A>(self, start: A, step: impl Fn(A, Faulty) -> A) -> A {
         self.0.into_iter().fold(start, step)
     }
