@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use crate::row::{ANGLES, DERIVATIVES, PAIRS, Row, SIZE};
-use brdf_checks::measure::sampling::WEIGHT_ULPS;
+use brdf_checks::measure::sampling::{WEIGHT_ULPS, viewers};
 use brdf_checks::measure::sampling::chi_squared::least_of;
 use brdf_checks::mutation::mutant::Outcome;
 
@@ -41,20 +41,20 @@ does not use of the half vector, and what depends on parameters alone.
 |---|---|---|---|---|---|---|---|---|---|
 ";
 
-/// How many χ² there are.
-fn tests(rows: &[Row]) -> usize {
-    rows.iter().map(|row| 2 * row.sampling.len()).sum()
+/// How many χ² so many rows have.
+fn tests(rows: usize) -> usize {
+    2 * rows * viewers::all().len()
 }
 
-/// What all p-values exceed with probability 0.99 if all samplers are right.
-pub(crate) fn least(rows: &[Row]) -> f64 {
+/// What all p-values of so many rows exceed with probability 0.99 if all samplers are right.
+pub(crate) fn least(rows: usize) -> f64 {
     least_of(tests(rows))
 }
 
 /// What the columns mean.
 fn legend(rows: &[Row]) -> String {
-    let directions = rows.first().map_or(0, |row| row.sampling.len());
-    let (draws, tests, least) = (SIZE.draws, tests(rows), least(rows));
+    let directions = viewers::all().len();
+    let (draws, tests, least) = (SIZE.draws, tests(rows.len()), least(rows.len()));
     let (pairs, _) = DERIVATIVES;
     format!(
         "- **Largest albedo.** ∫ f cosθ dω by adaptive cubature of `eval` in `f64` at {ANGLES} angles of
