@@ -41,7 +41,8 @@ pub struct Layer<V = f32, T = V> {
 /// | λ | `wavelength` | wavelength in vacuum, nm | 1 … 10⁹ |
 ///
 /// There are at most [`MAX_LAYERS`] layers. Without any it is the bare interface, and so it is with
-/// layers of thickness 0.
+/// layers of thickness 0. Where all media are the same there is no boundary: nothing is reflected at any
+/// angle, grazing included, and the layers are what the light passes.
 ///
 /// # Energy
 /// Passive: R + T ≤ 1 where the first medium is transparent, and 1 to 10⁻¹³ where all are. See

@@ -24,6 +24,10 @@ use crate::real::Real;
 /// The time factor is e^(−iωt), so that k ≥ 0 absorbs; see [the module](super) for the frames. Beyond
 /// the critical angle |r| = 1 and T = 0; arg r_s and arg r_p differ, which a Fresnel rhomb uses.
 ///
+/// Towards grazing r → −1 and T → 0, however little the media differ. Between media that are the same
+/// there is no boundary: r = 0 and t = T = 1 at every angle, also at grazing, where the limits n₂ → n₁
+/// and cosθ → 0 do not commute.
+///
 /// # Energy
 /// R + T = 1 where the first medium is transparent. In an absorbing one the incident and
 /// the reflected wave interfere: R + T ≠ 1, and R may exceed 1 next to total reflection.
@@ -43,6 +47,10 @@ use crate::real::Real;
 /// assert!((total.reflectance().s - 1.0).abs() < 1e-15 && total.transmittance.s == 0.0);
 /// let retardance = (total.r.s * total.r.p.conj()).arg();
 /// assert!((retardance - 0.789561961337).abs() < 1e-12);
+///
+/// // Where there is no boundary, light passes at grazing too.
+/// let none = Interface::new(Complex::real(1.5_f64), Complex::real(1.5))?.amplitudes(0.0);
+/// assert_eq!((none.reflectance().p, none.transmittance.p), (0.0, 1.0));
 /// # Ok::<(), brdf::ParameterError>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]

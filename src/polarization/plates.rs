@@ -28,7 +28,8 @@ pub const MAX_PLATES: u32 = 1 << 20;
 /// | a | `absorption` | 4πk d/λ, the absorption exponent of one plate along its normal | 0 … 10⁴ |
 ///
 /// # Energy
-/// R + T = 1 to 10⁻¹³ without absorption. m transparent plates reflect 2mR₁/(1 + (2m − 1)R₁).
+/// R + T = 1 to 10⁻¹³ without absorption. m transparent plates reflect 2mR₁/(1 + (2m − 1)R₁). Plates
+/// with n = 1 have no surfaces: R = 0 and T = e^(−ma/cosθ), at grazing 1 if a is 0 and else 0.
 ///
 /// # Limits
 /// The surfaces reflect as those of a transparent medium, which leaves out O(k²).
@@ -88,10 +89,9 @@ impl<T: Real> Plates<T> {
         let (r, t) = (surface.reflectance(), surface.transmittance);
         let cos = cos_theta.abs().min(one);
         let sin = (one - cos) * (one + cos);
-        // cos²θ₂; not positive where the plate reflects all that arrives.
-        let cos_squared = one - sin / self.index.squared();
-        let enters = cos_squared.gt(zero);
-        let cos = T::select(enters, cos_squared, one).sqrt();
+        // cos²θ₂; not positive where the plate reflects all that arrives, or does not refract and the
+        // way through it is endless. A root has no derivative at 0.
+        let cos = (one - sin / self.index.squared()).max(T::lit(1e-30)).sqrt();
         let exponent = -(self.absorption / cos);
         let between = Slab { reflected: zero, passed: exponent.exp(), kept: -exponent.exp_m1() };
         let pile = |reflected: T, passed: T, kept: T| {

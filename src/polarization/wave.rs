@@ -6,7 +6,7 @@ use super::amplitudes::Amplitudes;
 use super::complex::Complex;
 use super::medium::{Incidence, Medium};
 use super::polarized::Polarized;
-use crate::real::Real;
+use crate::real::{Mask, Real};
 
 /// What a boundary does to a wave.
 ///
@@ -16,13 +16,15 @@ use crate::real::Real;
 /// ```
 ///
 /// where no near numbers are subtracted but those that make the light of Brewster's angle vanish.
-struct Boundary<T> {
+struct Boundary<T: Real> {
     /// ρ.
     s: Complex<T>,
     p: Complex<T>,
     /// τ/2q₁.
     through_s: Complex<T>,
     through_p: Complex<T>,
+    /// Whether both media are the same.
+    none: T::Mask,
 }
 
 impl<T: Real> Boundary<T> {
@@ -41,7 +43,9 @@ impl<T: Real> Boundary<T> {
         let p = s * (tangential - product) * parallel;
         // Where the reflection is asked for alone, this is not computed.
         let through_s = sum.inverse();
-        Self { s, p, through_s, through_p: through_s * parallel * (index * behind.index) }
+        let through_p = through_s * parallel * (index * behind.index);
+        let contrast = behind.contrast.re.abs() + behind.contrast.im.abs();
+        Self { s, p, through_s, through_p, none: contrast.le(T::zero()) }
     }
 }
 
@@ -59,13 +63,17 @@ fn inverses<T: Real>(a: Complex<T>, b: Complex<T>) -> [Complex<T>; 2] {
 
 /// What is known of all that lies below a plane in a medium.
 #[derive(Clone, Copy)]
-pub(super) struct Wave<T> {
+pub(super) struct Wave<T: Real> {
     /// q of the medium.
     normal: Complex<T>,
     /// The amplitude reflected from below.
     pub(super) r: Polarized<Complex<T>>,
     /// The amplitude transmitted into the last medium, over 2q if the plane is a boundary.
     passed: Polarized<Complex<T>>,
+    /// Whether all media from here on are the same.
+    clear: T::Mask,
+    /// What passes then: phase and absorption of the layers.
+    straight: Complex<T>,
 }
 
 impl<T: Real> Wave<T> {
@@ -79,9 +87,15 @@ impl<T: Real> Wave<T> {
         index: Complex<T>,
         normal: Complex<T>,
     ) -> Self {
-        let Boundary { s, p, through_s, through_p } =
+        let Boundary { s, p, through_s, through_p, none } =
             Boundary::new(incidence, behind, bottom, index, normal);
-        Self { normal, r: Polarized { s, p }, passed: Polarized { s: through_s, p: through_p } }
+        Self {
+            normal,
+            r: Polarized { s, p },
+            passed: Polarized { s: through_s, p: through_p },
+            clear: none,
+            straight: Complex::real(T::one()),
+        }
     }
 
     /// Above the boundary of the medium `behind`, in which this wave is, to one in front.
@@ -93,7 +107,7 @@ impl<T: Real> Wave<T> {
         index: Complex<T>,
         normal: Complex<T>,
     ) -> Self {
-        let Boundary { s, p, through_s, through_p } =
+        let Boundary { s, p, through_s, through_p, none } =
             Boundary::new(incidence, behind, self.normal, index, normal);
         let one = Complex::real(T::one());
         let [inverse_s, inverse_p] = inverses(one + s * self.r.s, one + p * self.r.p);
@@ -104,6 +118,8 @@ impl<T: Real> Wave<T> {
                 s: self.passed.s * through_s * inverse_s,
                 p: self.passed.p * through_p * inverse_p,
             },
+            clear: self.clear.and(none),
+            straight: self.straight,
         }
     }
 
@@ -132,7 +148,8 @@ impl<T: Real> Wave<T> {
         let turns = self.normal.re * waves;
         // Each of its own: where the reflection is asked for alone, nothing else is computed.
         let round_trip = Complex::from_turns((growth + growth).exp(), turns + turns);
-        let through = Complex::from_turns(growth.exp(), turns) * (self.normal + self.normal);
+        let layer = Complex::from_turns(growth.exp(), turns);
+        let through = layer * (self.normal + self.normal);
         Self {
             normal: self.normal,
             r: self.r.map(
@@ -143,6 +160,8 @@ impl<T: Real> Wave<T> {
                 #[inline(always)]
                 |passed| passed * through,
             ),
+            clear: self.clear,
+            straight: self.straight * layer,
         }
     }
 
@@ -158,12 +177,24 @@ impl<T: Real> Wave<T> {
         // |2q₀|²/Re q₀ = 4 cosθ |n₀|²/Re n₀, without a quotient that grazing makes 0/0.
         let scale = incidence.cos * T::lit(4.0) * first.norm_squared() / first.re;
         let carried = Polarized { s: bottom, p: bottom * last.conj() * last.inverse() };
+        let Self { clear, straight, .. } = self;
         let power = |carried: Complex<T>, passed: Complex<T>| {
-            (carried.re * scale * passed.norm_squared()).max(T::zero())
+            let power = (carried.re * scale * passed.norm_squared()).max(T::zero());
+            let whole = straight.norm_squared().with_derivatives_of(power);
+            T::select(clear, whole, power)
+        };
+        // Where there is no boundary the cosine is in no term; the quotients would lose it at grazing.
+        let field = |passed: Complex<T>| {
+            let t = passed * (self.normal + self.normal);
+            let whole = Complex::new(
+                straight.re.with_derivatives_of(t.re),
+                straight.im.with_derivatives_of(t.im),
+            );
+            Complex::select(clear, whole, t)
         };
         Amplitudes {
             r: self.r,
-            t: self.passed.map(|passed| passed * (self.normal + self.normal)),
+            t: self.passed.map(field),
             transmittance: Polarized {
                 s: power(carried.s, self.passed.s),
                 p: power(carried.p, self.passed.p),
@@ -182,6 +213,8 @@ impl<T: Real> Wave<T> {
     pub(super) fn of_planes([q_re, q_im, s_re, s_im, p_re, p_im]: [T; 6]) -> Self {
         let r = Polarized { s: Complex::new(s_re, s_im), p: Complex::new(p_re, p_im) };
         let one = Complex::real(T::one());
-        Self { normal: Complex::new(q_re, q_im), r, passed: Polarized { s: one, p: one } }
+        let (normal, zero) = (Complex::new(q_re, q_im), T::zero());
+        let passed = Polarized { s: one, p: one };
+        Self { normal, r, passed, clear: zero.lt(zero), straight: one }
     }
 }

@@ -138,6 +138,48 @@ fn thick_and_absent_layers() {
     }
 }
 
+/// Where there is no boundary, light passes at every angle; where there is one, however faint, nothing
+/// passes at grazing.
+#[test]
+fn without_a_boundary_light_passes_at_grazing() {
+    macro_rules! tested {
+        ($number:ident, $cosines:expr) => {
+            let (four, least) = (4.0 * $number::EPSILON, Complex::real(1.0 + $number::EPSILON));
+            let cosines: [$number; 8] = $cosines;
+            for index in [1e-4, 1.0, 1.5, 1e4].map(Complex::real) {
+                let same = Layer { index, thickness: 300.0 };
+                let boundary = Interface::new(index, index).expect("in range");
+                let layers = Layers::new(index, &[same, same], index, 500.0).expect("in range");
+                for cos in cosines {
+                    for passed in [boundary.amplitudes(cos), layers.amplitudes(cos)] {
+                        let (t, power) =
+                            (passed.t.map(Complex::norm_squared), passed.transmittance);
+                        assert_eq!(passed.reflectance().unpolarized(), 0.0, "{index:?} {cos}");
+                        for passed in [t.s, t.p, power.s, power.p] {
+                            assert!((passed - 1.0).abs() <= four, "{passed} of {index:?} at {cos}");
+                        }
+                    }
+                }
+            }
+            for index in [least, Complex::real(1.5), Complex::new(1.0, 1e-6)] {
+                let air = Complex::real(1.0);
+                let faint = Interface::new(air, index).expect("in range").amplitudes(0.0);
+                assert!((faint.reflectance().s - 1.0).abs() <= four, "{index:?}");
+                assert!((faint.reflectance().p - 1.0).abs() <= four, "{index:?}");
+                assert_eq!(faint.transmittance.unpolarized(), 0.0, "{index:?}");
+            }
+        };
+    }
+    tested!(f64, [0.0, -0.0, 1e-100, 1e-30, 1e-12, 1e-9, 1e-3, 1.0]);
+    tested!(f32, [0.0, -0.0, 1e-37, 1e-30, 1e-12, 1e-9, 1e-3, 1.0]);
+    // Plates of nothing, without and with absorption.
+    for (absorption, passed) in [(0.0, 1.0), (1e-3, 0.0)] {
+        let nothing = Plates::new(1.0_f64, 3, absorption).expect("in range").at(0.0);
+        assert_eq!(nothing.reflectance.unpolarized(), 0.0);
+        assert_eq!(nothing.transmittance.unpolarized(), passed);
+    }
+}
+
 /// An antireflection coating of a quarter of a wavelength, and the period of a film.
 #[test]
 fn quarter_and_half_waves() {
