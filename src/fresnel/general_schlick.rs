@@ -17,6 +17,10 @@ model! {
     }
     /// | u | `cos_theta` | cosine of the angle of incidence (V·H on microfacets) | −1 … 1, the sign is ignored |
     ///
+    /// Normal incidence is the end of the curve. The slope by u there is the one on the side of the
+    /// angles: 0 for e > 1 and F₀ − F₉₀ for e = 1. For e < 1 it is infinite, and [counts as
+    /// 0](crate::Dual#which-derivative).
+    ///
     /// # Energy
     /// Reciprocal. Conserving: F lies between F₀ and F₉₀. No real surface has F₉₀ < 1.
     ///
@@ -58,11 +62,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for GeneralSchlick<C, T> {
     #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         let versine = T::one() - incident_cosine(cos_theta);
-        // A power of 0 has no derivative by its exponent.
-        let oblique = versine.gt(T::zero());
-        let base = T::select(oblique, versine, T::one());
-        let weight = base.powf(self.exponent).only_where(oblique);
-        self.between(weight)
+        self.between(versine.powf(self.exponent))
     }
 
     #[inline(always)]

@@ -25,6 +25,9 @@ use crate::real::{Color, Lift, Real, lift, positive_zero};
 /// n > 3.7) do: the maximum, as printed, cuts the dip off. A reference that reflects everything at
 /// normal incidence gives 0/0; the answer is F₀ then.
 ///
+/// At normal incidence, where the maximum is of two zeros, derivatives are those of F_ref: the second
+/// ones too, which are 0 in truth where the curve begins with a cut dip.
+///
 /// # Accuracy
 /// The weight is a difference of reflectances, so it is off by up to
 /// 2ε/(1 − F_ref(0)) of the number's ε, absolutely. The average is the default quadrature.
@@ -111,7 +114,9 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = T>> Fresnel<T> for Hall<C, F> {
     fn reflectance(&self, cos_theta: T) -> C {
         let (zero, one) = (T::zero(), T::one());
         let normal = self.reference.reflectance(one);
-        let rise = (self.reference.reflectance(incident_cosine(cos_theta)) - normal).max(zero);
+        let rise = self.reference.reflectance(incident_cosine(cos_theta)) - normal;
+        // At normal incidence the curve is still that of the reference.
+        let rise = rise.only_where(rise.ge(zero));
         let room = one - normal;
         let weight = rise / T::select(room.gt(zero), room, one);
         self.f0.map(|f0| f0 + (one - f0) * weight)

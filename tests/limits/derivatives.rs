@@ -5,9 +5,9 @@ use std::f64::consts::{PI, TAU};
 
 use brdf::{
     AnyMixture, Beckmann, BlinnPhong, Brdf, Bsdf, ClassicPhong, Conductor, Constant, CookTorrance,
-    Dielectric, Distribution, Dual, Fresnel, Gaussian, Gradient, LommelSeeliger, Minnaert,
-    OrenNayar, ParameterError, Phong, Plastic, Real, Sample, SchlickPower, SmithCorrelated,
-    TransportMode, VCavity, Vector3, gradient,
+    Dielectric, Distribution, Dual, Fresnel, Gaussian, GeneralSchlick, Gradient, Hall,
+    LommelSeeliger, Minnaert, OrenNayar, ParameterError, Phong, Plastic, Real, Sample,
+    SchlickPower, SmithCorrelated, TransportMode, VCavity, Vector3, gradient,
 };
 use glam::{DVec3, Vec3};
 
@@ -53,6 +53,68 @@ fn a_weak_absorber_reflects_less_than_all() {
     let glass =
         gradient([0.7, 0.5], |[ior, cos]| Dielectric::new(ior).map(|one| one.reflectance(cos)));
     assert_eq!(glass, Ok(Gradient { value: 1.0, derivatives: [0.0, 0.0] }));
+}
+
+/// A number to differentiate by twice.
+type Twice = Dual<Dual<f64, 1>, 1>;
+
+fn twice(x: f64) -> Twice {
+    Dual::variable(Dual::variable(x, 0), 0)
+}
+
+fn second(y: Twice) -> f64 {
+    y.derivatives[0].derivatives[0]
+}
+
+/// A slope of 0 changes.
+#[test]
+fn flat_places_have_second_derivatives() {
+    assert_eq!(second(twice(0.0).cos()), -1.0);
+    assert_eq!(second((twice(0.0) * twice(0.0)).exp()), 2.0);
+    // Of a power at 0 only the second one; that below 2 is infinite, and counts as 0.
+    for (exponent, want) in [(1.0, 0.0), (1.5, 0.0), (2.0, 2.0), (3.0, 0.0), (5.0, 0.0)] {
+        assert_eq!(second(twice(0.0).powf(Real::lit(exponent))), want, "{exponent}");
+    }
+    let thrice = Dual::<_, 1>::variable(twice(0.0), 0).powf(Real::lit(3.0));
+    assert_eq!(thrice.derivatives[0].derivatives[0].derivatives[0], 6.0);
+    // A bound that only rounding reaches keeps the curvature, too.
+    let bounded = twice(1.0).at_most(Real::one());
+    assert_eq!(bounded.value.derivatives, [1.0]);
+    assert_eq!(second(bounded * bounded), 2.0);
+}
+
+/// At normal incidence the slope is that on the side of the angles.
+#[test]
+fn general_schlick_has_the_slope_of_its_end() {
+    let (f0, f90) = (0.1, 0.9);
+    for (exponent, want) in [(0.5, 0.0), (1.0, f0 - f90), (2.0, 0.0), (5.0, 0.0)] {
+        let at = gradient([1.0, exponent], |[cos, exponent]| {
+            let [f0, f90] = [f0, f90].map(Dual::constant);
+            GeneralSchlick::new(f0, f90, exponent).map(|term| term.reflectance(cos))
+        });
+        let Gradient { value, derivatives: [by_cos, by_exponent] } = at.unwrap();
+        assert_eq!(value, f0);
+        close(by_cos, want, 1e-15);
+        assert_eq!(by_exponent, 0.0);
+    }
+    let [f0, f90, square] = [f0, f90, 2.0].map(Real::lit);
+    let curved = GeneralSchlick::new(f0, f90, square).unwrap().reflectance(twice(1.0));
+    close(second(curved), 2.0 * 0.8, 1e-15);
+}
+
+/// The series of Fresnel's reflectance about the normal, where s and p cancel to first order:
+/// F″ = −4 (n − 1)² (n² − 4n + 1)/(n³ (n + 1)²). Hall's curve is that times (1 − F₀)/(1 − R₀).
+#[test]
+fn fresnel_terms_are_curved_at_the_normal() {
+    for n in [0.3, 0.5, 0.9, 1.5, 2.0, 3.7] {
+        let (lower, upper): (f64, f64) = (n - 1.0, n + 1.0);
+        let want = -4.0 * lower.powi(2) * (n * n - 4.0 * n + 1.0) / (n.powi(3) * upper.powi(2));
+        let exact: Twice = Dielectric::new(Twice::lit(n)).unwrap().reflectance(twice(1.0));
+        close(exact.value.derivatives[0], 0.0, 1e-14);
+        close(second(exact), want, 1e-12);
+        let hall = Hall::new(Twice::lit(0.3), Twice::lit(n)).unwrap().reflectance(twice(1.0));
+        close(second(hall), 0.7 * want / (1.0 - (lower / upper).powi(2)), 1e-12);
+    }
 }
 
 fn drawn<M>(

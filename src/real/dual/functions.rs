@@ -67,7 +67,7 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         // What is no number has no excess by rounding: there the bound takes its place.
         let finite = self.value.le(T::max_finite());
         let kept = each(self.derivatives, |derivative| derivative.only_where(finite));
-        Self { value: self.value.min(bound.value), derivatives: kept }
+        Self { value: self.value.at_most(bound.value), derivatives: kept }
     }
     #[inline(always)]
     fn held(self) -> Self {
@@ -100,9 +100,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         let y = x.powf(n);
         let positive = x.gt(zero);
         let base = T::select(positive, x, one);
-        // At 0 only the first power has a slope.
-        let first = n.le(one).and(n.ge(one));
-        let at_zero = one.only_where(first);
+        // At 0 only the first power has a slope, and only a number that has derivatives itself knows
+        // that the slopes of higher ones change there.
+        let at_zero = if T::HAS_DERIVATIVES { n * x.powf(n - one) } else { one };
+        let first = if T::HAS_DERIVATIVES { n.ge(one) } else { n.le(one).and(n.ge(one)) };
+        let at_zero = at_zero.only_where(first);
         let slope = T::select(positive, n * (y / base), at_zero);
         self.chain_two(exponent, y, [slope, y * base.ln()])
     }

@@ -3,7 +3,7 @@
 mod functions;
 mod operators;
 
-use super::traits::{Real, Vector};
+use super::traits::{Mask, Real, Vector};
 use super::vector3::Vector3;
 
 /// A number with its derivatives by `N` others: forward differentiation.
@@ -110,7 +110,15 @@ impl<T: Real, const N: usize> Dual<T, N> {
         let (zero, largest) = (T::zero(), T::max_finite());
         let flat = slope.abs().le(zero);
         let slope = slope.clamp(-largest, largest);
-        let chained = |derivative| T::select(flat, zero, derivative * slope);
+        // Where a number with derivatives is 0, it still changes: the curvature at a flat place.
+        let chained = |derivative: T| {
+            let product = derivative * slope;
+            if T::HAS_DERIVATIVES {
+                let finite = derivative.abs().le(largest);
+                return T::select(flat.and(finite.not()), zero, product);
+            }
+            T::select(flat, zero, product)
+        };
         Self { value, derivatives: each(self.derivatives, chained) }
     }
 
