@@ -163,8 +163,12 @@ fn rough_glass_keeps_what_is_known() {
     }
 }
 
-/// What a beam loses to a model that is not reciprocal is no albedo. The powers are sums over 600 × 600
-/// directions.
+/// What a beam loses to a model that is not reciprocal is no albedo.
+///
+/// The power by 4181 samples is compared with a sum over 600 × 600 directions, which 4800 × 4800 change
+/// by no more than 10⁻⁵. What is left is the error of the samples, whose weight has an edge where the
+/// lobe meets the horizon, and grows with the tilt: 2.5·10⁻⁵, 5·10⁻⁵, 1.3·10⁻⁴ and 2.3·10⁻⁴. The albedo
+/// is off by 9 to 17 %.
 #[test]
 fn a_beam_meets_a_model_that_is_not_reciprocal_the_other_way() {
     let phong = ClassicPhong::new(DVec3::ONE, 5.0).expect("a lobe");
@@ -198,8 +202,8 @@ fn a_beam_meets_a_model_that_is_not_reciprocal_the_other_way() {
         }
         let got = opaque.power(wo).reflectance.x;
         println!("{theta}: {got:.6} {power:.6} {:.6}", phong.albedo(wo).x);
-        assert!((got - power).abs() < 2e-3 * power, "{theta}: {got} is not {power}");
-        assert!((phong.albedo(wo).x - power).abs() > 0.03 * power, "{theta}");
+        assert!((got - power).abs() < 2.5e-4 * power, "{theta}: {got} is not {power}");
+        assert!((phong.albedo(wo).x - power).abs() > 0.09 * power, "{theta}");
     }
 }
 
