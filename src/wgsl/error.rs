@@ -26,6 +26,14 @@ pub enum ShaderError {
     Foreign,
     /// More operations than text should have: a long loop was written out.
     TooLong,
+    /// A constant that is not finite, as a quotient by 0 is, or a parameter whose value is not finite in
+    /// single precision.
+    NotFinite {
+        /// The name of the function or model, or of the parameter.
+        name: String,
+        /// The value.
+        value: f64,
+    },
     /// A constant that a constructor does not accept.
     Parameter(ParameterError),
     /// A description whose values are not in range in single precision.
@@ -61,6 +69,12 @@ impl fmt::Display for ShaderError {
             Self::Unknown(name) => write!(f, "the module has no model of the name {name:?}"),
             Self::Foreign => f.write_str("a symbol belongs to another function"),
             Self::TooLong => f.write_str("the formula has too many operations to be written out"),
+            Self::NotFinite { name, value } => {
+                write!(
+                    f,
+                    "the constants of {name:?} must be finite in single precision, not {value}"
+                )
+            }
             Self::Parameter(error) => error.fmt(f),
             #[cfg(feature = "serde")]
             Self::Description(error) => error.fmt(f),
@@ -68,13 +82,4 @@ impl fmt::Display for ShaderError {
     }
 }
 
-impl Error for ShaderError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        match self {
-            Self::Parameter(error) => Some(error),
-            #[cfg(feature = "serde")]
-            Self::Description(error) => Some(error),
-            _ => None,
-        }
-    }
-}
+impl Error for ShaderError {}

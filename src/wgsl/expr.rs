@@ -12,7 +12,8 @@ use crate::real::{Color, Mask, Real, Vector};
 ///
 /// Running a formula on it records what the formula does. The same operation on the same operands is
 /// recorded once. Of constants it is computed at once, in `f64`, so that a model of constants costs a
-/// shader only what depends on directions.
+/// shader only what depends on directions. One that is not finite makes the function an
+/// [error](super::ShaderError); one that is too large for `f32` counts as the largest number.
 ///
 /// What is not a constant belongs to the function that is being written, on its thread. A symbol
 /// that is used elsewhere makes that function an [error](super::ShaderError).

@@ -1,6 +1,7 @@
 //! The graph of what formulas do to symbols, in which the same operation stands once.
 
 use alloc::string::String;
+use alloc::vec;
 use alloc::vec::Vec;
 use core::cell::RefCell;
 use core::sync::atomic::{AtomicU32, Ordering};
@@ -151,6 +152,24 @@ impl Graph {
         self.steps.push(step);
         self.places.insert(step, place);
         Some(Node { session, place, width: step.width })
+    }
+
+    /// A constant that the results depend on and that is not finite, if there is one.
+    pub(super) fn not_finite(&self, results: impl IntoIterator<Item = Value>) -> Option<f64> {
+        let mut seen = vec![false; self.steps.len()];
+        let mut values: Vec<Value> = results.into_iter().collect();
+        while let Some(value) = values.pop() {
+            let numbers = value.known_numbers().unwrap_or_default();
+            if let Some(wrong) = numbers.into_iter().find(|number| !number.is_finite()) {
+                return Some(wrong);
+            }
+            let Some(place) = value.node().map(|node| node.place as usize) else { continue };
+            if let (Some(seen @ false), Some(step)) = (seen.get_mut(place), self.steps.get(place)) {
+                *seen = true;
+                values.extend(step.of);
+            }
+        }
+        None
     }
 
     /// What a node does, if it is one of this graph.

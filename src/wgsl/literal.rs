@@ -6,8 +6,8 @@ use alloc::string::{String, ToString};
 /// The largest finite number, with one more digit than its shortest text, which lies beyond it.
 pub(super) const LARGEST: &str = "const BRDF_LARGEST = 3.40282346e38;\n";
 
-/// The shortest text of the nearest `f32`. What is too large is the largest finite number; what is no
-/// number is 0, which no formula lets through.
+/// The shortest text of the nearest `f32`. What is too large is the largest finite number. What is no
+/// number is refused before; there is a text for it, as there is for all.
 #[allow(clippy::cast_possible_truncation, reason = "shaders compute in single precision")]
 pub(super) fn number(value: f64) -> String {
     if value.is_nan() {

@@ -16,7 +16,7 @@ use super::parameters::{Binding, Parameters, Uniforms};
 use super::prelude::Function;
 use super::print::{Body, print};
 use super::traced::{Kind, Traced};
-use super::value::Width;
+use super::value::{Value, Width};
 use crate::brdf::Brdf;
 use crate::bsdf::{Bsdf, TransportMode};
 use crate::quadrature::{LATTICE, ROW, STEP};
@@ -61,7 +61,8 @@ impl Module {
     /// Adds `NAME_eval`, `NAME_pdf` and `NAME_sample` of a model whose parameters are constants.
     ///
     /// # Errors
-    /// If the name is no name of its own, or the model contains symbols.
+    /// If the name is no name of its own, or the model contains symbols or constants that are not
+    /// finite.
     pub fn add<M>(&mut self, name: &str, model: &M) -> Result<(), ShaderError>
     where
         M: Brdf<Expr, Color = ExprVec3>,
@@ -102,7 +103,7 @@ impl Module {
 
     fn traced(&mut self, name: &str, trace: impl FnOnce() -> Traced) -> Result<(), ShaderError> {
         let (results, graph) = session(trace);
-        self.claim(Names::model(name)?, &graph)?;
+        self.claim(Names::model(name)?, &graph, results.values())?;
         self.functions_of(name, results, &graph);
         Ok(())
     }
@@ -130,8 +131,8 @@ impl Module {
     /// ```
     ///
     /// # Errors
-    /// If a name is no name of its own, the module has a buffer at that place, or a constant of the model
-    /// is not in its range.
+    /// If a name is no name of its own, the module has a buffer at that place, a constant of the model
+    /// is not in its range, or a constant or parameter is not finite.
     pub fn add_with<M, E>(
         &mut self,
         name: &str,
@@ -179,7 +180,7 @@ impl Module {
         });
         let (results, uniforms) = traced?;
         self.check_free(binding, &uniforms)?;
-        self.claim(Names::model(name)?.with_parameters(), &graph)?;
+        self.claim(Names::model(name)?.with_parameters(), &graph, results.values())?;
         self.structure(name, binding, &uniforms);
         self.functions_of(name, results, &graph);
         Ok(uniforms)
@@ -199,7 +200,17 @@ impl Module {
     /// ```
     ///
     /// # Errors
-    /// If a name is no name of its own, or a symbol is one of another function.
+    /// If a name is no name of its own, a symbol is one of another function, or a constant is not finite:
+    ///
+    /// ```
+    /// use brdf::Real;
+    /// use brdf::wgsl::{Expr, Module};
+    ///
+    /// let scaled = |(x,): (Expr,)| x * (Expr::one() / Expr::zero());
+    /// let error = Module::new().add_function("scaled", ["x"], scaled).unwrap_err();
+    /// let message = r#"the constants of "scaled" must be finite in single precision, not inf"#;
+    /// assert_eq!(error.to_string(), message);
+    /// ```
     pub fn add_function<A: Arguments<N>, R: Answer, const N: usize>(
         &mut self,
         name: &str,
@@ -208,7 +219,7 @@ impl Module {
     ) -> Result<(), ShaderError> {
         let (results, graph) = session(|| formula(A::symbols(arguments)).parts());
         let names = Names::function(name, &arguments)?;
-        self.claim(names, &graph)?;
+        self.claim(names, &graph, results.iter().map(|part| part.0))?;
         self.formula::<A, R, N>(name, arguments, &results, &graph);
         Ok(())
     }
@@ -233,7 +244,8 @@ impl Module {
         let (results, uniforms) = traced?;
         let names = Names::function(name, &arguments)?;
         self.check_free(binding, &uniforms)?;
-        self.claim(names.with_parameters(), &graph)?;
+        let values = results.iter().map(|part| part.0);
+        self.claim(names.with_parameters(), &graph, values)?;
         self.structure(name, binding, &uniforms);
         self.formula::<A, R, N>(name, arguments, &results, &graph);
         Ok(uniforms)
@@ -275,7 +287,12 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
     }
 
     /// Takes names, all of them or none, for functions whose graph is in order.
-    fn claim(&mut self, names: Names<'_>, graph: &Graph) -> Result<(), ShaderError> {
+    fn claim(
+        &mut self,
+        names: Names<'_>,
+        graph: &Graph,
+        results: impl IntoIterator<Item = Value>,
+    ) -> Result<(), ShaderError> {
         if graph.foreign {
             return Err(ShaderError::Foreign);
         }
@@ -284,6 +301,9 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
         }
         if let Some(taken) = names.taken.iter().find(|name| self.names.contains(*name)) {
             return Err(ShaderError::Taken(taken.clone()));
+        }
+        if let Some(value) = graph.not_finite(results) {
+            return Err(ShaderError::NotFinite { name: names.name.into(), value });
         }
         self.names.extend(names.taken);
         Ok(())

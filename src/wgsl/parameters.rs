@@ -100,7 +100,7 @@ fn alignment(numbers: usize) -> usize {
 }
 
 /// The parameters of a model that is being written: each call makes one, with the value that it begins
-/// with.
+/// with, which has to be finite in single precision.
 #[derive(Debug)]
 pub struct Parameters {
     /// The variable that holds them.
@@ -136,7 +136,13 @@ impl Parameters {
     fn field(&mut self, name: &str, values: &[f64], width: Width) -> Value {
         let taken = self.uniforms.fields.iter().any(|field| field.name == name);
         let checked = if taken { Err(ShaderError::Taken(name.into())) } else { checked(name) };
-        if let Err(error) = checked {
+        #[allow(clippy::cast_possible_truncation, reason = "shaders compute in f32")]
+        let wrong = values.iter().find(|value| !(**value as f32).is_finite());
+        let finite = match wrong {
+            Some(&value) => Err(ShaderError::NotFinite { name: name.into(), value }),
+            None => Ok(()),
+        };
+        if let Err(error) = checked.and(finite) {
             self.wrong.get_or_insert(error);
         }
         self.uniforms.push(name, values);

@@ -58,6 +58,13 @@ fn directions() -> [ExprVec3; 2] {
     ["wi", "wo"].map(|name| ExprVec3(input(name.into(), Width::Three)))
 }
 
+impl Traced {
+    /// All answers.
+    pub(super) fn values(&self) -> impl Iterator<Item = Value> {
+        [self.eval.0, self.pdf.0].into_iter().chain(self.sample.iter().map(|(value, _)| *value))
+    }
+}
+
 impl Kind {
     /// What the structure of samples is called.
     pub(super) const fn name(self) -> &'static str {

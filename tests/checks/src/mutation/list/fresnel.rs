@@ -1,7 +1,7 @@
 //! Bugs of Fresnel's equations and their stand-ins.
 
 use super::super::mutant::{LEFT, MINUS, Mutant, NEGATIVE, NOT, PLUS};
-use crate::faulty::Operation::{Add, Less, Literal, Max, Mul, Sub};
+use crate::faulty::Operation::{Add, Less, Literal, Mul, Select, Sub};
 
 const DIELECTRIC: &str = "src/fresnel/dielectric.rs";
 const CONDUCTOR: &str = "src/fresnel/conductor.rs";
@@ -46,7 +46,7 @@ pub(super) static MUTANTS: [Mutant; 19] = [
     Mutant::new("Schlick", "average of the power 4", SCHLICK,
         "▸T::lit(1.0 / 21.0)", Literal, |_, _, _| 1.0 / 15.0),
     Mutant::new("Hall and Cook", "a reference that dips darkens", INTERPOLATION,
-        "- normal).▸max(zero);", Max, LEFT),
+        "let rise = rise.▸only_where(rise.ge(zero));", Select, LEFT),
     Mutant::new("Hall and Cook", "no room left by F₀", INTERPOLATION,
         "f0 + ▸(one - f0) * weight", Sub, LEFT),
     Mutant::new("Hall and Cook", "Cook's light forgotten", INTERPOLATION,
