@@ -48,19 +48,14 @@ impl fmt::Display for BatchError {
             Self::Length { argument, length, other, other_length } => {
                 write!(f, "{argument} has {length} elements, but {other} has {other_length}")
             }
-            Self::Parameter { index, .. } => write!(f, "there is no model for element {index}"),
+            Self::Parameter { index, error } => {
+                write!(f, "there is no model for element {index}: {error}")
+            }
         }
     }
 }
 
-impl Error for BatchError {
-    fn source(&self) -> Option<&(dyn Error + 'static)> {
-        match self {
-            Self::Parameter { error, .. } => Some(error),
-            _ => None,
-        }
-    }
-}
+impl Error for BatchError {}
 
 /// The length of the slices seen so far, which all others must have.
 pub(crate) struct Length {

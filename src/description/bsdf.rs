@@ -2,8 +2,9 @@
 
 use super::brdf::{brdf, schlick_1994};
 use super::build::Build;
+use super::check::not_refracting;
 use super::distribution::distribution;
-use super::error::{DescriptionError, Problem};
+use super::error::DescriptionError;
 use super::fresnel::fresnel;
 use crate::distribution::AnyDistribution;
 use crate::interface::{
@@ -62,7 +63,7 @@ pub(super) fn bsdf<T: Real, C: Color<T>>(
                     let rough = at.made(RoughDielectric::new(facets, ior))?;
                     rough.with_shadowing(shadowing).in_channels::<C>().into()
                 }
-                _ => return Err(at.path.key("distribution").error(Problem::NotRefracting)),
+                _ => return Err(not_refracting(at.described, &at.path)),
             }
         }
         "schlick_1994" if at.flag("split") => SplitSchlick1994::new(schlick_1994(at)?).into(),

@@ -1,5 +1,6 @@
 //! What the range of a single number cannot tell.
 
+use alloc::format;
 use core::marker::PhantomData;
 
 use glam::DVec3;
@@ -10,6 +11,7 @@ use super::channels::Channels;
 use super::error::{DescriptionError, Problem};
 use super::fresnel::fresnel;
 use super::path::Path;
+use super::place::beginning;
 use super::value::{Described, Numbers, Value};
 use crate::error::range;
 use crate::parameter::Part;
@@ -22,9 +24,7 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
         "mixture" => total(described, "sum of weights", path),
         "stack" => built(described, path, fresnel::<f64, DVec3>).map(drop),
         "belcour_barla" => same_in_all_channels(described, &path.key("substrate")),
-        "rough_dielectric" if !is_facets(described) => {
-            Err(path.key("distribution").error(Problem::NotRefracting))
-        }
+        "rough_dielectric" if !is_facets(described) => Err(not_refracting(described, path)),
         // The material, and what its index comes to relative to that outside.
         "metal" => built(described, path, fresnel::<f64, DVec3>).map(drop),
         "dielectric" if described.form.part() == Part::Fresnel => {
@@ -35,8 +35,11 @@ pub(super) fn check(described: &Described, path: &Path<'_>) -> Result<(), Descri
         }
         "cook_torrance" if described.word("shadowing") != "v_cavity" => {
             match described.get("distribution") {
-                Some((_, distribution)) if has_smith(distribution) => Ok(()),
-                _ => Err(path.key("shadowing").error(Problem::NoSmith)),
+                Some((_, distribution)) => match without_smith(distribution) {
+                    None => Ok(()),
+                    Some(name) => Err(path.key("shadowing").error(Problem::NoSmith(name))),
+                },
+                None => Ok(()),
             }
         }
         _ => Ok(()),
@@ -53,6 +56,15 @@ fn is_facets(described: &Described) -> bool {
     }
 }
 
+/// What is said of a rough dielectric whose distribution is none of its own.
+pub(super) fn not_refracting(described: &Described, path: &Path<'_>) -> DescriptionError {
+    let name = match described.get("distribution") {
+        Some((_, Value::Form(distribution))) => distribution.form.name(),
+        _ => "",
+    };
+    path.key("distribution").error(Problem::NotRefracting(name))
+}
+
 /// What is described, built in red, green and blue.
 fn built<V>(
     described: &Described,
@@ -65,17 +77,20 @@ fn built<V>(
 
 /// Whether the index of a substrate is the same in all channels.
 fn same_in_all_channels(film: &Described, path: &Path<'_>) -> Result<(), DescriptionError> {
-    let same = match film.get("substrate") {
+    let differs = match film.get("substrate") {
         Some((_, Value::Term(index))) if index.get("eta").is_some() => {
-            ["eta", "k"].into_iter().all(|key| {
-                let [red, green, blue] = index.channels(key);
-                red == green && green == blue
-            })
+            let numbers = ["eta", "k"].into_iter().map(|key| (key, index.channels(key)));
+            let mut differ =
+                numbers.filter(|(_, [red, green, blue])| red != green || green != blue);
+            differ.next().map(|(key, numbers)| format!("{key} {numbers:?}"))
         }
-        Some((_, Value::Term(_))) => false,
-        _ => true,
+        Some((_, Value::Term(index))) if index.get("material").is_some() => {
+            Some(format!("the material {:?}", beginning(index.text("material"))))
+        }
+        Some((_, Value::Term(_))) => Some("samples".into()),
+        _ => None,
     };
-    if same { Ok(()) } else { Err(path.error(Problem::Dispersion)) }
+    differs.map_or(Ok(()), |found| Err(path.error(Problem::Dispersion(found))))
 }
 
 /// Whether the weights of a list, averaged over their channels, have a sum to divide by. It is
@@ -103,13 +118,22 @@ fn total(list: &Described, name: &'static str, path: &Path<'_>) -> Result<(), De
 /// Whether a value is a distribution for which Smith's shadowing is known, as
 /// [`has_smith`](crate::AnyDistribution::has_smith) says of what is built.
 pub(super) fn has_smith(value: &Value) -> bool {
+    without_smith(value).is_none()
+}
+
+/// The distribution of a value for which it is not known, the first of a mixture; none if there is no
+/// such.
+fn without_smith(value: &Value) -> Option<&'static str> {
+    const NONE: &str = "";
     match value {
         Value::Form(distribution) => match distribution.form.name() {
-            "beckmann" | "ggx" => true,
-            "mixture" => distribution.values.iter().all(has_smith),
-            _ => false,
+            "beckmann" | "ggx" => None,
+            "mixture" => distribution.values.iter().find_map(without_smith),
+            other => Some(other),
         },
-        Value::Term(term) => term.get("distribution").is_some_and(|(_, part)| has_smith(part)),
-        _ => false,
+        Value::Term(term) => {
+            term.get("distribution").map_or(Some(NONE), |(_, part)| without_smith(part))
+        }
+        _ => Some(NONE),
     }
 }

@@ -33,12 +33,12 @@ pub enum Problem {
     Parameter(ParameterError),
     /// A metal or another material that is not known, and why not.
     Metal(String),
-    /// Smith's shadowing with a distribution for which it is not known.
-    NoSmith,
-    /// A rough dielectric of another distribution than Beckmann's or GGX.
-    NotRefracting,
-    /// An index that differs between the channels, where it must not.
-    Dispersion,
+    /// Smith's shadowing with this distribution, for which it is not known.
+    NoSmith(&'static str),
+    /// A rough dielectric of this distribution, which is neither Beckmann's nor GGX.
+    NotRefracting(&'static str),
+    /// An index that differs between the channels, as said here, where it must not.
+    Dispersion(String),
     /// Sums or mixtures inside each other, too deep.
     TooDeep,
     /// More terms of sums and mixtures than are allowed altogether.
@@ -90,28 +90,42 @@ impl fmt::Display for Problem {
                 write!(f, "{}", error.rule())
             }
             Self::Metal(why) => f.write_str(why),
-            Self::NoSmith => f.write_str(
-                "Smith's shadowing is known for beckmann, ggx and mixtures of them; `v_cavity` \
-                 fits every distribution",
+            Self::NoSmith(distribution) => write!(
+                f,
+                "Smith's shadowing is known for `beckmann`, `ggx` and mixtures of them, not for \
+                 `{distribution}`; `v_cavity` fits every distribution",
             ),
-            Self::NotRefracting => f.write_str("a rough dielectric has facets of beckmann or ggx"),
-            Self::Dispersion => f.write_str(
-                "must be one index for all wavelengths: a number, [n, k], or the same eta and k in \
-                 all channels",
-            ),
-            Self::TooManySamples => {
-                write!(f, "samples may be at most {MAX_SAMPLES} altogether")
+            Self::NotRefracting(distribution) => {
+                write!(f, "must be `beckmann` or `ggx`, not `{distribution}`")
             }
+            Self::Dispersion(found) => write!(
+                f,
+                "must be one index for all wavelengths, that is a number, [n, k], or the same eta \
+                 and k in all channels, not {found}",
+            ),
+            // Reading ends with the first one that is too much.
+            Self::TooManySamples => write!(
+                f,
+                "samples may be at most {MAX_SAMPLES} altogether, and here is one of number {}",
+                MAX_SAMPLES + 1
+            ),
             Self::NoSpectrum => f.write_str(
-                "this term is a colour, of the whole spectrum; `stack` is the film at each wavelength",
+                "must be built in red, green and blue, not at wavelengths: this term is a colour, of \
+                 the whole spectrum; `stack` is the film at each wavelength",
             ),
             Self::Unknown => f.write_str("this form cannot be built"),
-            Self::TooDeep => {
-                write!(f, "at most {MAX_DEPTH} sums and mixtures may stand inside each other")
-            }
-            Self::TooManyTerms => {
-                write!(f, "sums and mixtures may have at most {MAX_TERMS} terms altogether")
-            }
+            Self::TooDeep => write!(
+                f,
+                "at most {MAX_DEPTH} sums and mixtures may stand inside each other, and here is one \
+                 of depth {}",
+                MAX_DEPTH + 1
+            ),
+            Self::TooManyTerms => write!(
+                f,
+                "sums and mixtures may have at most {MAX_TERMS} terms altogether, and here is one \
+                 of number {}",
+                MAX_TERMS + 1
+            ),
         }
     }
 }

@@ -65,13 +65,16 @@ fn lookup(name: &str) -> Result<&'static crate::materials::Material, Problem> {
 }
 
 #[cfg(not(feature = "materials"))]
-fn named(_: &str) -> Result<&'static OpticalConstants, Problem> {
-    Err(Problem::Metal("materials by name need the feature `materials`".into()))
+fn named(name: &str) -> Result<&'static OpticalConstants, Problem> {
+    Err(Problem::Metal(alloc::format!(
+        "materials by name, such as {:?}, need the feature `materials`",
+        super::place::beginning(name)
+    )))
 }
 
 #[cfg(not(feature = "materials"))]
-fn metal(_: &str) -> Result<&'static OpticalConstants, Problem> {
-    Err(Problem::Metal("metals by name need the feature `materials`".into()))
+fn metal(name: &str) -> Result<&'static OpticalConstants, Problem> {
+    named(name)
 }
 
 impl<T: Real, C: Color<T>> Build<'_, T, C> {

@@ -248,11 +248,14 @@ fn values_of_a_wrong_form_say_what_is_expected() {
 
 #[test]
 fn smith_is_refused_where_it_is_not_known() {
-    for distribution in [
-        r#"{"gaussian": {"roughness": 0.3}}"#,
-        r#"{"blinn": {"exponent": 30}}"#,
-        r#"{"mixture": [{"weight": 1, "distribution": {"ggx": {"roughness": 1}}},
+    for (distribution, name) in [
+        (r#"{"gaussian": {"roughness": 0.3}}"#, "gaussian"),
+        (r#"{"blinn": {"exponent": 30}}"#, "blinn"),
+        (
+            r#"{"mixture": [{"weight": 1, "distribution": {"ggx": {"roughness": 1}}},
                          {"weight": 1, "distribution": {"blinn": {"exponent": 1}}}]}"#,
+            "blinn",
+        ),
     ] {
         for shadowing in ["smith", "smith_separable"] {
             let text = format!(
@@ -261,10 +264,30 @@ fn smith_is_refused_where_it_is_not_known() {
             );
             assert_eq!(
                 model_error(&text),
-                "cook_torrance.shadowing: Smith's shadowing is known for beckmann, ggx and \
-                 mixtures of them; `v_cavity` fits every distribution"
+                format!(
+                    "cook_torrance.shadowing: Smith's shadowing is known for `beckmann`, `ggx` and \
+                     mixtures of them, not for `{name}`; `v_cavity` fits every distribution"
+                )
             );
         }
+    }
+}
+
+#[test]
+fn one_index_is_asked_for_where_wavelengths_are_not_told_apart() {
+    const RULE: &str = "belcour_barla.substrate: must be one index for all wavelengths, that is a \
+                        number, [n, k], or the same eta and k in all channels, not ";
+    for (substrate, found) in [
+        (r#"{"eta": [0.2, 0.9, 1.1], "k": 3}"#, "eta [0.2, 0.9, 1.1]"),
+        (r#"{"eta": 1.5, "k": [3, 3, 2.5]}"#, "k [3.0, 3.0, 2.5]"),
+        (r#"{"material": "Au"}"#, r#"the material "Au""#),
+        (r#"{"samples": [[400, 1.5, 0], [700, 1.4, 0]]}"#, "samples"),
+    ] {
+        let text = format!(
+            r#"{{"belcour_barla": {{"film": 1.33, "thickness": 300, "substrate": {substrate}}}}}"#
+        );
+        let error = serde_json::from_str::<FresnelDescription>(&text).expect_err(&text);
+        assert_eq!(error.to_string(), format!("{RULE}{found}"));
     }
 }
 

@@ -7,7 +7,7 @@ fn metals_need_their_feature() {
     let error = serde_json::from_str::<FresnelDescription>(r#"{"metal": "Au"}"#).err();
     assert_eq!(
         error.map(|error| error.to_string()).as_deref(),
-        Some("metal: metals by name need the feature `materials`")
+        Some("metal: materials by name, such as \"Au\", need the feature `materials`")
     );
 }
 
