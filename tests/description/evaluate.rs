@@ -347,9 +347,7 @@ fn errors_say_what_and_where_and_what_is_allowed() {
         ),
         (
             r#"{"bsdf": {"rough_dielectric": {"distribution": {"blinn": {"exponent": 9}}, "ior": 1}}, "wo": [0, 0, 1]}"#,
-            Some(
-                "bsdf: rough_dielectric.distribution: must be `beckmann` or `ggx`, not `blinn`",
-            ),
+            Some("bsdf: rough_dielectric.distribution: must be `beckmann` or `ggx`, not `blinn`"),
         ),
         (
             r#"{"fresnel": {"metal": "Au"}, "cos": null}"#,

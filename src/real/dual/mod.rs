@@ -66,8 +66,9 @@ use super::vector3::Vector3;
 /// What is answered there is one of the sides, finite where the answer is.
 ///
 /// # Cost
-/// About that of 4 values for one derivative and 7 for four; for eight two passes of four are better.
-/// Batches of duals run, but they are no faster than single calls.
+/// A few times that of the value alone: [the guide](crate::guide::numbers#what-derivatives-cost) has the
+/// figures, by `cargo bench --bench gradients`. Several passes of four derivatives or less are better than
+/// one of eight. Batches of duals run, but they are no faster than single calls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<T, const N: usize> {
     /// The number itself.
