@@ -51,7 +51,7 @@ model! {
     ///
     /// let plaster = Fujii::new(DVec3::splat(0.5), 0.8)?;
     /// let f = plaster.eval(DVec3::Z, DVec3::Z);
-    /// assert!((f.x - 0.11689494489).abs() < 1e-11);
+    /// assert!((f.x - 0.11789441298).abs() < 1e-11);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     pub struct Fujii<C = glam::Vec3, T = f32>;

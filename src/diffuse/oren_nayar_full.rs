@@ -73,7 +73,7 @@ model! {
     ///
     /// let plaster = OrenNayarFull::new(DVec3::splat(0.8), 0.3)?;
     /// let f = plaster.eval(DVec3::Z, DVec3::Z);
-    /// assert!((f.x - 0.24152757508).abs() < 1e-11);
+    /// assert!((f.x - 0.24153188808).abs() < 1e-11);
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     pub struct OrenNayarFull<C = glam::Vec3, T = f32>;
