@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 use crate::row::{ANGLES, DERIVATIVES, PAIRS, Row, SIZE};
-use brdf_checks::measure::sampling::{WEIGHT_ULPS, viewers};
 use brdf_checks::measure::sampling::chi_squared::least_of;
+use brdf_checks::measure::sampling::{WEIGHT_ULPS, viewers};
 use brdf_checks::mutation::mutant::Outcome;
 
 const HEAD: &str = "\

@@ -99,7 +99,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for AnyFresnel<T, C> {
             // Shorter than a call.
             Self::Constant(term) => term.reflected(cos, scale),
             Self::Schlick(term) => term.reflected(cos, scale),
-            _ => each!(self, term => call(|| term.reflected(cos, scale))),
+            _ => each!(self, term => call!(|| term.reflected(cos, scale))),
         }
     }
 

@@ -234,7 +234,8 @@ impl<T: Real, C: Color<T>> Fresnel<T> for BelcourBarla<C, T> {
 
     #[inline(always)]
     fn reflected(&self, cos: T, scale: T) -> C {
-        in_place::<T, _>(
+        in_place!(
+            T,
             #[inline(always)]
             || {
                 let value = self.reflectance(cos) * scale;

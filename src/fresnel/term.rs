@@ -74,7 +74,8 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
     #[doc(hidden)]
     #[inline(always)]
     fn reflected(&self, cos: T, scale: T) -> Self::Color {
-        in_place::<T, _>(
+        in_place!(
+            T,
             #[inline(always)]
             || {
                 let value = self.reflectance(cos) * scale;

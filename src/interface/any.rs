@@ -1,3 +1,4 @@
+use super::calls;
 use super::crossed::AnySmith;
 use super::mirror::Mirror;
 use super::opaque::Opaque;
@@ -87,23 +88,23 @@ impl<T: Real, C: Color<T>> Bsdf<T> for AnyBsdf<T, C> {
     type Color = C;
 
     fn eval(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> C {
-        each!(self, model => eval(model, wi, wo, mode))
+        each!(self, model => calls::eval::of(model, wi, wo, mode))
     }
 
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> T {
-        each!(self, model => pdf(model, wi, wo, mode))
+        each!(self, model => calls::pdf::of(model, wi, wo, mode))
     }
 
     fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> (C, T) {
-        each!(self, model => eval_pdf(model, wi, wo, mode))
+        each!(self, model => calls::eval_pdf::of(model, wi, wo, mode))
     }
 
     fn sample(&self, wo: T::Vec3, u: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
-        each!(self, model => sample(model, wo, u, mode))
+        each!(self, model => calls::sample::of(model, wo, u, mode))
     }
 
     fn specular(&self, wo: T::Vec3, mode: TransportMode) -> Lobes<T, C> {
-        each!(self, model => specular(model, wo, mode))
+        each!(self, model => calls::specular::of(model, wo, mode))
     }
 
     fn power(&self, wo: T::Vec3) -> Power<C> {
@@ -142,46 +143,4 @@ impl<T: Real, C: Color<T>> Bsdf<T> for AnyBsdf<T, C> {
     ) {
         each!(self, model => model.sample_block(draws, mode, samples, specular));
     }
-}
-
-// A call for each model, and not the code of all of them in one function. As closures, which carry their
-// arguments in memory, calls of light models take half as long again.
-
-#[inline(never)]
-fn eval<T: Real, M: Bsdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> M::Color {
-    model.eval(wi, wo, mode)
-}
-
-#[inline(never)]
-fn pdf<T: Real, M: Bsdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> T {
-    model.pdf(wi, wo, mode)
-}
-
-#[inline(never)]
-fn eval_pdf<T: Real, M: Bsdf<T>>(
-    model: &M,
-    wi: T::Vec3,
-    wo: T::Vec3,
-    mode: TransportMode,
-) -> (M::Color, T) {
-    model.eval_pdf(wi, wo, mode)
-}
-
-#[inline(never)]
-fn sample<T: Real, M: Bsdf<T>>(
-    model: &M,
-    wo: T::Vec3,
-    u: [T; 3],
-    mode: TransportMode,
-) -> BsdfSample<T, M::Color> {
-    model.sample(wo, u, mode)
-}
-
-#[inline(never)]
-fn specular<T: Real, M: Bsdf<T>>(
-    model: &M,
-    wo: T::Vec3,
-    mode: TransportMode,
-) -> Lobes<T, M::Color> {
-    model.specular(wo, mode)
 }

@@ -3,6 +3,7 @@
 
 mod any;
 mod beta;
+mod calls;
 mod crossed;
 mod crossing;
 mod mirror;

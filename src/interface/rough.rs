@@ -230,7 +230,8 @@ where
 
     #[inline(always)]
     fn eval(&self, wi: T::Vec3, wo: T::Vec3, mode: TransportMode) -> C {
-        let value = in_place::<T, _>(
+        let value = in_place!(
+            T,
             #[inline(always)]
             || {
                 let (below, [light, viewer]) = facing::<T>(wi, wo);
@@ -247,7 +248,8 @@ where
 
     #[inline(always)]
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3, _: TransportMode) -> T {
-        in_place::<T, _>(
+        in_place!(
+            T,
             #[inline(always)]
             || {
                 let (below, [light, viewer]) = facing::<T>(wi, wo);
@@ -265,7 +267,8 @@ where
     fn sample(&self, wo: T::Vec3, [x, y, u]: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
         let (zero, one) = (T::zero(), T::one());
         let viewer = Viewer::<T>::new(wo);
-        let Draws { powers: [reflectance, transmittance], reflected, refracted } = in_place::<T, _>(
+        let Draws { powers: [reflectance, transmittance], reflected, refracted } = in_place!(
+            T,
             #[inline(always)]
             || self.draws(&viewer, [x, y], mode),
         );

@@ -178,16 +178,16 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
     #[inline]
     fn mirrored(&self, distribution: &AnyDistribution<T>, wi: T::Vec3, wo: T::Vec3) -> Mirrored<T> {
         chosen!(
-            self, distribution, kind => call(|| kind.mirrored(distribution, wi, wo)),
-            each_distribution!(distribution, one => call(|| VCavity.mirrored(one, wi, wo)))
+            self, distribution, kind => call!(|| kind.mirrored(distribution, wi, wo)),
+            each_distribution!(distribution, one => call!(|| VCavity.mirrored(one, wi, wo)))
         )
     }
 
     #[inline]
     fn pdf(&self, distribution: &AnyDistribution<T>, wi: T::Vec3, wo: T::Vec3) -> T {
         chosen!(
-            self, distribution, kind => call(|| kind.pdf(distribution, wi, wo)),
-            each_distribution!(distribution, one => call(|| VCavity.pdf(one, wi, wo)))
+            self, distribution, kind => call!(|| kind.pdf(distribution, wi, wo)),
+            each_distribution!(distribution, one => call!(|| VCavity.pdf(one, wi, wo)))
         )
     }
 
@@ -199,16 +199,16 @@ impl<T: Real> Shadowing<T, AnyDistribution<T>> for AnyShadowing {
         wo: T::Vec3,
     ) -> (Mirrored<T>, T) {
         chosen!(
-            self, distribution, kind => call(|| kind.mirrored_pdf(distribution, wi, wo)),
-            each_distribution!(distribution, one => call(|| VCavity.mirrored_pdf(one, wi, wo)))
+            self, distribution, kind => call!(|| kind.mirrored_pdf(distribution, wi, wo)),
+            each_distribution!(distribution, one => call!(|| VCavity.mirrored_pdf(one, wi, wo)))
         )
     }
 
     #[inline]
     fn mirror(&self, distribution: &AnyDistribution<T>, wo: T::Vec3, h: T::Vec3) -> Draw<T> {
         chosen!(
-            self, distribution, kind => call(|| kind.mirror(distribution, wo, h)),
-            each_distribution!(distribution, one => call(|| VCavity.mirror(one, wo, h)))
+            self, distribution, kind => call!(|| kind.mirror(distribution, wo, h)),
+            each_distribution!(distribution, one => call!(|| VCavity.mirror(one, wo, h)))
         )
     }
 

@@ -111,7 +111,8 @@ pub trait Shadowing<T: Real, D: Distribution<T>>: Send + Sync {
     #[doc(hidden)]
     #[inline(always)]
     fn mirrored_pdf(&self, distribution: &D, wi: T::Vec3, wo: T::Vec3) -> (Mirrored<T>, T) {
-        in_place::<T, _>(
+        in_place!(
+            T,
             #[inline(always)]
             || {
                 let pair = Pair::new(wi, wo);
@@ -269,7 +270,8 @@ fn mirrored<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     wi: T::Vec3,
     wo: T::Vec3,
 ) -> Mirrored<T> {
-    in_place::<T, _>(
+    in_place!(
+        T,
         #[inline(always)]
         || {
             let pair = Pair::new(wi, wo);
@@ -287,7 +289,8 @@ fn pdf<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     wi: T::Vec3,
     wo: T::Vec3,
 ) -> T {
-    in_place::<T, _>(
+    in_place!(
+        T,
         #[inline(always)]
         || {
             let pair = Pair::new(wi, wo);
@@ -305,7 +308,8 @@ fn mirror<T: Real, D: Distribution<T>, S: Shadowing<T, D> + ?Sized>(
     wo: T::Vec3,
     h: T::Vec3,
 ) -> Draw<T> {
-    in_place::<T, _>(
+    in_place!(
+        T,
         #[inline(always)]
         || {
             let pair = &mirror_pair::<T>(wo, h);

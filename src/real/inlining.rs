@@ -2,18 +2,30 @@
 
 use super::traits::Real;
 
+/// Runs a formula through a call, of the module where it stands: compilers make one unit of what a module has.
+macro_rules! call {
+    ($formula:expr) => {{
+        #[inline(never)]
+        fn call<R>(formula: impl FnOnce() -> R) -> R {
+            formula()
+        }
+        call($formula)
+    }};
+}
+pub(crate) use call;
+
 /// Runs a formula: in place for the numbers of SIMD loops, which need all of it in one function,
 /// through a call for the others, whose code is large.
-#[inline(always)]
-pub(crate) fn in_place<T: Real, R>(formula: impl FnOnce() -> R) -> R {
-    if T::VECTORIZES { formula() } else { call(formula) }
+macro_rules! in_place {
+    ($number:ty, $formula:expr $(,)?) => {{
+        #[inline(always)]
+        fn in_place<T: $crate::real::Real, R>(formula: impl FnOnce() -> R) -> R {
+            if T::VECTORIZES { formula() } else { $crate::real::call!(formula) }
+        }
+        in_place::<$number, _>($formula)
+    }};
 }
-
-/// Runs a formula through a call.
-#[inline(never)]
-pub(crate) fn call<R>(formula: impl FnOnce() -> R) -> R {
-    formula()
-}
+pub(crate) use in_place;
 
 /// `step` applied `N` times, at most four.
 ///

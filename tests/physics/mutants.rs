@@ -29,7 +29,8 @@ fn models_reach_the_places_they_compute_at() {
         let place = outcome.mutant.place();
         assert!(suite.reaches(0, &place), "{outcome:?}");
         let reaching = (0..models::double().len()).filter(|&model| suite.reaches(model, &place));
-        assert!(reaching.count() < 20, "{outcome:?}");
+        let (reaching, all) = (reaching.count(), models::double().len());
+        assert!(reaching < all / 2, "{reaching} of {all}: {outcome:?}");
     }
 }
 
@@ -60,13 +61,13 @@ fn the_obvious_bugs_in_the_files_of_forms_are_found() {
             .flat_map(|known| &known.survivors)
             .map(|survivor| (survivor.line.clone(), survivor.bug.clone()))
             .collect();
-        let least = known.and_then(|known| known.least);
+        let least = known.and_then(|known| known.least.as_ref());
         let (mut got, count) = survivors(suite, file, if least.is_some() { SOME } else { 1 });
         if let Some(least) = least {
             let found = 1.0 - got.len() as f64 / count as f64;
             println!("{file}: {found:.3} of {count}");
-            if count == 0 || found < least {
-                differ.push(format!("{file}: {found} of {count}, not {least}: {got:#?}"));
+            if count == 0 || found < least.part {
+                differ.push(format!("{file}: {found} of {count}, not {least:?}: {got:#?}"));
             }
             continue;
         }

