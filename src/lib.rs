@@ -88,4 +88,4 @@ pub use polarized_brdf::PolarizedBrdf;
 pub use principled::{Disney2012, DisneyForm, DisneyParameters};
 pub use real::{Color, Dual, Lanes, Lift, Mask, Real, Spectrum, Vector, Vector3};
 pub use sum::{SumOfTwo, WeightedSum};
-pub use wave::{BeckmannKirchhoff, He1991};
+pub use wave::{BeckmannKirchhoff, He1991, Masking};

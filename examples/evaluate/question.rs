@@ -1,6 +1,6 @@
 //! One question, a line of JSON, and its answer, another.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use brdf::description::{
     BrdfDescription, BsdfDescription, DescriptionError, DistributionDescription, FresnelDescription,
@@ -526,7 +526,7 @@ fn drawn<T: Number>(sample: BsdfSample<T, T::Vec3>) -> Answer<T> {
 }
 
 /// The value for a pair, and its derivatives by every number that the model is made of. The channels of
-/// a colour count as one: each channel of the value depends on its own.
+/// a colour count as one: each channel of the value depends on its own. The components of a vector do not.
 fn gradient<T: Number>(
     brdf: &BrdfDescription,
     wi: T::Vec3,
@@ -537,13 +537,15 @@ fn gradient<T: Number>(
         places.push(path.to_string());
         T::lit(value)
     })?;
-    let colors: Vec<String> =
-        places.iter().filter_map(|place| place.strip_suffix("[2]").map(str::to_owned)).collect();
-    let color_of = |place: &str| {
-        let (color, _) = place.rsplit_once('[')?;
-        colors.iter().find(|other| *other == color).cloned()
+    let channels: BTreeSet<String> = brdf
+        .numbers()
+        .into_iter()
+        .filter_map(|number| number.channel.map(|_| number.path))
+        .collect();
+    let counted = |place: &str| match place.rsplit_once('[') {
+        Some((color, _)) if channels.contains(place) => color.to_owned(),
+        _ => place.to_owned(),
     };
-    let counted = |place: &str| color_of(place).unwrap_or_else(|| place.to_owned());
     let mut gradient = BTreeMap::new();
     for place in &places {
         let place = counted(place);

@@ -1,6 +1,7 @@
 //! Models of reflection, by their forms.
 
 use super::build::Build;
+use super::channels::Channels;
 use super::distribution::distribution;
 use super::error::DescriptionError;
 use super::fresnel::fresnel;
@@ -13,7 +14,7 @@ use crate::glossy::{
 };
 use crate::microfacet::{AnyShadowing, Blinn1977Printed, CookTorrance, CookTorrance1982Printed};
 use crate::planetary::{HFunction, Hapke, LommelSeeliger, Minnaert};
-use crate::principled::{Disney2012, DisneyForm, DisneyParameters};
+use crate::principled::{Disney2012, DisneyForm, DisneyParameters, luminance};
 use crate::real::{Color, Real};
 use crate::sum::WeightedSum;
 
@@ -110,7 +111,14 @@ pub(super) fn brdf<T: Real, C: Color<T>>(
                 "2014" => DisneyForm::Of2014,
                 _ => DisneyForm::Of2012,
             };
-            at.made(Disney2012::new(sliders))?.with_form(form).into()
+            let made = match at.channels {
+                Channels::Rgb => Disney2012::new(sliders),
+                // The tint is that of red, green and blue at all wavelengths.
+                Channels::Wavelengths(_) => {
+                    Disney2012::with_luminance(sliders, luminance(at.three("base_color")?))
+                }
+            };
+            at.made(made)?.with_form(form).into()
         }
         "cook_torrance" => {
             let distribution = at.part("distribution", distribution)?;

@@ -54,7 +54,7 @@ impl<T: Real, C: Color<T>> Build<'_, T, C> {
         })
     }
 
-    /// Three numbers that are no colour; one stands for all.
+    /// The components of a vector, or red, green and blue; one number stands for all.
     pub(super) fn three(&self, key: &'static str) -> Result<[T; 3], DescriptionError> {
         Ok(match self.numbers(key)? {
             Numbers::Three(numbers) => numbers,

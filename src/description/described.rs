@@ -96,8 +96,8 @@ macro_rules! description {
             pub fn numbers(&self) -> Vec<Number> {
                 let (mut described, mut numbers) = (self.0.clone(), Vec::new());
                 let path = Path::ROOT.key(described.form.name());
-                visit_numbers(&mut described, &path, &mut |path, value, range| {
-                    numbers.push(Number::new(path, *value, range));
+                visit_numbers(&mut described, &path, &mut |path, value, domain| {
+                    numbers.push(Number::new(path, *value, domain));
                 });
                 numbers
             }
@@ -136,11 +136,13 @@ macro_rules! description {
     (@spectrum $color:ident $any:ident $build:ident) => {
         /// What is described, at wavelengths of choice in nanometres, one for each channel.
         ///
-        /// Materials, samples and stacks have the index and the phases of each wavelength; a `wavelength`
-        /// of a stack counts for nothing but the place of the three numbers of a colour in it. Every other
-        /// colour `[r, g, b]` is a spectrum of straight lines between its values at 650, 550 and 450 nm,
-        /// constant beyond them: at these three wavelengths the answers are those of
-        /// [`build`](Self::build). An interface that refracts has one direction for all channels, that
+        /// Materials, samples, stacks and models of waves have the index and the phases of each of these
+        /// wavelengths. A `wavelength` in the description, of a stack, of `beckmann_kirchhoff_1963` or of
+        /// `he_1991`, counts for nothing, but that in a stack the three numbers of an index stand at its three
+        /// wavelengths. Every other colour `[r, g, b]` is a spectrum of straight lines between its values at 650, 550 and 450 nm,
+        /// constant beyond them. At these three wavelengths the answers are those of
+        /// [`build`](Self::build), whatever other wavelengths are asked for. The tint of `disney_2012` is the base
+        /// colour over the luminance of its red, green and blue at all wavelengths. An interface that refracts has one direction for all channels, that
         /// of the middle one: where colours part, as in a prism, build one wavelength at a time.
         ///
         /// ```

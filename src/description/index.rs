@@ -8,7 +8,7 @@ use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visi
 
 use super::error::Problem;
 use super::form::{Form, INDICES, MATERIAL, MATERIAL_IN, SAMPLES, SAMPLES_IN};
-use super::leaf::{OneOrEach, Text, Word};
+use super::leaf::{OneOrEach, Role, Text, Word};
 use super::place::Place;
 use super::read::{ValueAt, default};
 use super::value::{Described, Numbers, Value};
@@ -111,7 +111,7 @@ impl<'de> Visitor<'de> for IndexAt<'_> {
         };
         // In the order in which they are read.
         let mut given: Vec<(&'static str, Value)> = Vec::new();
-        while let Some(key) = map.next_key_seed(Word(place, objects.keys))? {
+        while let Some(key) = map.next_key_seed(Word(place, objects.keys, Role::Key))? {
             let Some(parameter) = objects.keys.get(key).and_then(|key| parameter_of(key)) else {
                 continue;
             };

@@ -8,9 +8,10 @@ use serde::de::{
     VariantAccess, Visitor,
 };
 
+use super::form::forms;
 use super::place::{Place, Progress, beginning};
 use super::value::Numbers;
-use crate::parameter::Parameter;
+use crate::parameter::{Kind, Parameter};
 
 /// A number, or as many as the parameter has.
 pub(super) struct OneOrEach<'a>(pub(super) &'a Place<'a>, pub(super) &'static Parameter);
@@ -19,6 +20,9 @@ impl<'de> Visitor<'de> for OneOrEach<'_> {
     type Value = Numbers<f64>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_vector() {
+            return f.write_str("a list of 3 numbers");
+        }
         f.write_str("a number")?;
         match self.1.kind.most() {
             1 => Ok(()),
@@ -27,17 +31,15 @@ impl<'de> Visitor<'de> for OneOrEach<'_> {
     }
 
     fn visit_f64<E: Error>(self, value: f64) -> Result<Self::Value, E> {
-        let Self(place, parameter) = self;
-        place.check(parameter, 0, value)?;
-        Ok(Numbers::One(value))
+        self.one(value, Unexpected::Float(value))
     }
 
     fn visit_u64<E: Error>(self, value: u64) -> Result<Self::Value, E> {
-        self.visit_f64(value as f64)
+        self.one(value as f64, Unexpected::Unsigned(value))
     }
 
     fn visit_i64<E: Error>(self, value: i64) -> Result<Self::Value, E> {
-        self.visit_f64(value as f64)
+        self.one(value as f64, Unexpected::Signed(value))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
@@ -61,6 +63,22 @@ impl<'de> Visitor<'de> for OneOrEach<'_> {
                 &self as &dyn Expected
             ))),
         }
+    }
+}
+
+impl OneOrEach<'_> {
+    /// Whether one number does not stand for all.
+    const fn is_vector(&self) -> bool {
+        matches!(self.1.kind, Kind::Vector(_))
+    }
+
+    fn one<E: Error>(self, value: f64, found: Unexpected<'_>) -> Result<Numbers<f64>, E> {
+        if self.is_vector() {
+            return Err(E::invalid_type(found, &self));
+        }
+        let Self(place, parameter) = self;
+        place.check(parameter, 0, value)?;
+        Ok(Numbers::One(value))
     }
 }
 
@@ -125,8 +143,8 @@ pub(super) struct AllWords(pub(super) &'static [&'static str]);
 
 impl fmt::Display for AllWords {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("one of")?;
-        self.0.iter().try_for_each(|word| write!(f, " `{word}`"))
+        f.write_str("a text, one of")?;
+        self.0.iter().try_for_each(|word| write!(f, " \"{word}\""))
     }
 }
 
@@ -139,14 +157,27 @@ impl<'de> Visitor<'de> for Words<'_> {
     }
 
     fn visit_enum<A: EnumAccess<'de>>(self, word: A) -> Result<usize, A::Error> {
-        let (index, content) = word.variant_seed(Word(self.place, self.words))?;
+        let (index, content) = word.variant_seed(Word(self.place, self.words, Role::Value))?;
         content.unit_variant()?;
         Ok(index)
     }
 }
 
-/// A key, or the name of a form: which of a few words.
-pub(super) struct Word<'a>(pub(super) &'a Place<'a>, pub(super) &'static [&'static str]);
+/// What a word is.
+#[derive(Clone, Copy)]
+pub(super) enum Role {
+    Key,
+    Form,
+    /// The value of a parameter.
+    Value,
+}
+
+/// Which of a few words.
+pub(super) struct Word<'a>(
+    pub(super) &'a Place<'a>,
+    pub(super) &'static [&'static str],
+    pub(super) Role,
+);
 
 impl<'de> DeserializeSeed<'de> for Word<'_> {
     type Value = usize;
@@ -172,8 +203,28 @@ impl Visitor<'_> for Word<'_> {
 
     fn visit_str<E: Error>(self, found: &str) -> Result<usize, E> {
         self.1.iter().position(|word| *word == found).ok_or_else(|| {
-            self.0.note_failure_at_word(&beginning(found));
-            E::custom(format_args!("unknown name, expected {}", &self as &dyn Expected))
+            let (named, expected) = (beginning(found), &self as &dyn Expected);
+            match (self.2, elsewhere(found)) {
+                (Role::Value, _) => {
+                    self.0.note_failure();
+                    E::custom(format_args!("unknown name {named:?}, expected {expected}"))
+                }
+                (Role::Form, Some(description)) => {
+                    self.0.note_failure_at_word(&named);
+                    E::custom(format_args!(
+                        "unknown name here, a form of `{description}`, expected {expected}"
+                    ))
+                }
+                (Role::Form, None) | (Role::Key, _) => {
+                    self.0.note_failure_at_word(&named);
+                    E::custom(format_args!("unknown name, expected {expected}"))
+                }
+            }
         })
     }
+}
+
+/// The description that has a form of this name.
+fn elsewhere(name: &str) -> Option<&'static str> {
+    forms().find(|(_, form)| form.name() == name).map(|(_, form)| form.room().name)
 }

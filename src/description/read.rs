@@ -16,7 +16,7 @@ use super::check::{check, has_smith};
 use super::error::Problem;
 use super::form::{Content, Form, List, Room, white};
 use super::index::{IndexAt, SamplesAt};
-use super::leaf::{AllWords, OneOrEach, Text, Word, Words};
+use super::leaf::{AllWords, OneOrEach, Role, Text, Word, Words};
 use super::place::{Place, Progress, Record};
 use super::value::{Described, Numbers, Value};
 use crate::parameter::{Kind, Parameter, Part, Preset};
@@ -63,7 +63,7 @@ impl<'de> Visitor<'de> for Forms<'_> {
     }
 
     fn visit_enum<A: EnumAccess<'de>>(self, named: A) -> Result<Described, A::Error> {
-        let (found, content) = named.variant_seed(Word(self.place, self.room.names))?;
+        let (found, content) = named.variant_seed(Word(self.place, self.room.names, Role::Form))?;
         let Some(form) = self.room.forms.get(found) else {
             return Err(A::Error::unknown_variant("", self.room.names));
         };
@@ -121,7 +121,7 @@ impl<'de> Visitor<'de> for Keys<'_> {
         let Self { place, form, .. } = self;
         let parameters = form.parameters();
         let mut values = vec![None; parameters.len()];
-        while let Some(key) = map.next_key_seed(Word(place, form.keys))? {
+        while let Some(key) = map.next_key_seed(Word(place, form.keys, Role::Key))? {
             let (Some(parameter), Some(value)) = (parameters.get(key), values.get_mut(key)) else {
                 continue;
             };
@@ -194,7 +194,7 @@ impl<'de> DeserializeSeed<'de> for ValueAt<'_> {
                     .explain(&place, &AllWords(words), read)
                     .map(|index| Value::Word(words, index))
             }
-            Kind::Number(_) | Kind::Color(_) | Kind::Roughness(_) | Kind::Index(..) => {
+            Kind::Number(_) | Kind::Color(_) | Kind::Vector(_) | Kind::Roughness(_) | Kind::Index(..) => {
                 from.deserialize_any(OneOrEach(&place, parameter)).map(Value::Numbers)
             }
         };

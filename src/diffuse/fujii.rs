@@ -34,8 +34,8 @@ model! {
     ///
     /// # Energy
     /// Reciprocal, to the last bit. σ = 0 is [`Lambert`](crate::Lambert) but for rounding. **Not**
-    /// conserving: the directional albedo is ρ (A′ + B G/π), with G of [`Fon`](crate::Fon), at most 1.0271 for
-    /// ρ = 1 (at grazing). f grows without bound, as 1/t′, where both directions graze side by
+    /// conserving: the directional albedo is ρ (A′ + B G/π), with G of [`Fon`](crate::Fon), at most 1.0288 for
+    /// ρ = 1 (at grazing, for σ = 0.2575). f grows without bound, as 1/t′, where both directions graze side by
     /// side; the radiance f cosθᵢ does not.
     ///
     /// # Sampling
@@ -52,6 +52,12 @@ model! {
     /// let plaster = Fujii::new(DVec3::splat(0.5), 0.8)?;
     /// let f = plaster.eval(DVec3::Z, DVec3::Z);
     /// assert!((f.x - 0.11789441298).abs() < 1e-11);
+    ///
+    /// let grazing = DVec3::new(1.0, 0.0, 1e-9);
+    /// let most = (0..=1570)
+    ///     .map(|step| Ok(Fujii::new(1.0_f64, f64::from(step) * 1e-3)?.albedo(grazing)))
+    ///     .try_fold(0.0_f64, |most, albedo: Result<_, brdf::ParameterError>| Ok(most.max(albedo?)))?;
+    /// assert!((1.0287..1.0288).contains(&most));
     /// # Ok::<(), brdf::ParameterError>(())
     /// ```
     pub struct Fujii<C = glam::Vec3, T = f32>;

@@ -2,7 +2,7 @@ use core::error::Error;
 use core::fmt;
 
 use crate::description::DescriptionError;
-use crate::error::ParameterError;
+use crate::error::{Number as Shown, ParameterError, Range};
 
 /// Why a description could not be fitted.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +11,14 @@ pub enum FitError {
     /// No number of the description has this place.
     NoSuchNumber(String),
     /// Bounds that are no range, or that the parameter does not allow.
-    Bounds(String),
+    Bounds {
+        /// The place of the number.
+        path: String,
+        /// The bounds.
+        bounds: Range,
+        /// The range of the parameter, in which they must lie.
+        allowed: Range,
+    },
     /// Nothing to change.
     NothingFree,
     /// Fewer measured values that count than numbers to find.
@@ -66,8 +73,14 @@ impl fmt::Display for FitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSuchNumber(path) => write!(f, "the description has no number {path}"),
-            Self::Bounds(path) => {
-                write!(f, "the bounds of {path} must be a range within that of the parameter")
+            Self::Bounds { path, bounds, allowed } => {
+                let [low, high, least, most] =
+                    [bounds.lower, bounds.upper, allowed.lower, allowed.upper].map(Shown);
+                write!(
+                    f,
+                    "the bounds of {path} must rise and lie between {least} and {most}, not be {low} and \
+                     {high}"
+                )
             }
             Self::NothingFree => f.write_str("no number of the description is free"),
             Self::TooFew { measured, free } => {

@@ -162,7 +162,11 @@ impl<'a, D: Fittable> Fit<'a, D> {
             let allowed =
                 lower < upper && number.range.lower <= lower && upper <= number.range.upper;
             if !allowed {
-                self.failure.get_or_insert(FitError::Bounds(number.path.clone()));
+                self.failure.get_or_insert(FitError::Bounds {
+                    path: number.path.clone(),
+                    bounds: Range { lower, upper },
+                    allowed: number.range,
+                });
             }
             self.free.retain(|free| free.path != number.path);
             self.free.push(Free {

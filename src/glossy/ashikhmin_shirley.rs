@@ -31,8 +31,9 @@ use crate::sampling::{cosine_hemisphere, ln_of_rest, uniform};
 ///
 /// # Energy
 /// Reciprocal, to the last bit. Conserving: with Rₛ = 1 the directional albedo is 0.961 at most for n = 100, and ½
-/// at grazing; with Rₛ = 0.05, R_d = 1 it is 0.968 for n = 100 and stays below 0.9703 for any n. The albedo of the
-/// diffuse part is R_d (1 − Rₛ) (1 − (1 − N·V/2)⁵).
+/// at grazing; with Rₛ = 0.05, R_d = 1 it is 0.968 at most for n = 100 and 0.9704 for n up to 10⁷, at the
+/// normal, where its limit for large n is 0.9703. At grazing a lobe that is narrower still reflects more: 0.973
+/// at 89.66° for n = 10⁸, where a mirror would 0.986. The albedo of the diffuse part is R_d (1 − Rₛ) (1 − (1 − N·V/2)⁵).
 ///
 /// The directional albedo is the mean of 4181 samples: good to 2·10⁻³.
 ///

@@ -99,7 +99,7 @@ impl<C, T> Lafortune<C, T> {
     /// The table of the parameters of a lobe.
     pub const LOBE: &'static [Parameter] = &[
         model!(@row specular: C, WEIGHT = 1.0, "ρⱼ", "colour of the lobe"),
-        model!(@row c: C, LOBE, "c", "where the lobe points: c_x, c_y, c_z"),
+        Parameter::new("c", "c", "where the lobe points: c_x, c_y, c_z", Kind::Vector(range::LOBE)),
         model!(@row exponent: T, EXPONENT, "n", "sharpness of the lobe"),
     ];
 

@@ -29,7 +29,7 @@ use crate::real::{Color, Lift, Mask, Real, Vector, in_place, lift};
 ///
 /// | symbol | parameter | meaning | range |
 /// |---|---|---|---|
-/// | D | `distribution` | density of the facets' normals: [`Beckmann`](crate::Beckmann) or [`Ggx`](crate::Ggx) | |
+/// | D | `distribution` | density of the facets' normals: [`Beckmann`](crate::Beckmann), [`Ggx`](crate::Ggx) or a [`Mixture`](crate::Mixture) of one of them | |
 /// | n | `ior` | index below the surface over that above | 10⁻⁴ … 10⁴ |
 /// | G | `shadowing` | [`SmithCorrelated`]: 1/(1 + Λ(wi) + Λ(wo)) where light is reflected, Euler's B(1 + Λ(wi), 1 + Λ(wo)) where it is refracted; [`SmithSeparable`](crate::SmithSeparable): G₁(wi) G₁(wo) | |
 ///

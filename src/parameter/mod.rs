@@ -38,6 +38,8 @@ pub enum Kind {
     Number(Range),
     /// A number for all channels, or one for each.
     Color(Range),
+    /// The three components of a vector.
+    Vector(Range),
     /// A number for all directions, or one along the tangent and one along the bitangent.
     Roughness(Range),
     /// A refractive index: the real part, or the real and the imaginary part.
@@ -128,7 +130,7 @@ impl Kind {
         match self {
             Self::Number(_) => 1,
             Self::Roughness(_) | Self::Index(..) | Self::Medium(..) => 2,
-            Self::Color(_) | Self::Samples => 3,
+            Self::Color(_) | Self::Vector(_) | Self::Samples => 3,
             Self::RealIndex(_, most) | Self::RelativeIndex(_, most) => most,
             Self::List(_)
             | Self::Flag
@@ -152,6 +154,7 @@ impl Kind {
             },
             Self::Number(range)
             | Self::Color(range)
+            | Self::Vector(range)
             | Self::Roughness(range)
             | Self::Index(range, _)
             | Self::Medium(range, _)

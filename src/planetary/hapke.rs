@@ -44,7 +44,8 @@ use crate::sampling::{cosine_hemisphere, uniform};
 /// The directional albedo is an integral over θᵢ and the azimuth, good to 10⁻⁶ for |ξ| ≤ 0.6.
 ///
 /// # Derivatives
-/// By w at 1, where √(1 − w) has none: answered as 0.
+/// By w at 1, where √(1 − w) has none: the root, and so H through it, counts as constant there, and
+/// the derivative is that by the w outside of it.
 ///
 /// # Sampling
 /// With the phase function around the viewer, what falls below the surface mirrored at it, or with cosθ/π, chosen by about

@@ -119,9 +119,17 @@ impl<T: Real, C: Color<T>> Disney2012<C, T> {
     /// # Errors
     /// If a slider is not in 0 … 1.
     pub fn new(sliders: DisneyParameters<C, T>) -> Result<Self, ParameterError> {
+        Self::with_luminance(sliders, sliders.luminance())
+    }
+
+    /// The same, where the channels of the base colour do not tell its luminance.
+    pub(crate) fn with_luminance(
+        sliders: DisneyParameters<C, T>,
+        luminance: T,
+    ) -> Result<Self, ParameterError> {
         sliders.check()?;
         let (one, least) = (T::one(), T::lit(0.001));
-        let (base, tint) = (positive_zero(sliders.base_color), sliders.tint());
+        let (base, tint) = (positive_zero(sliders.base_color), sliders.tint(luminance));
         let dielectric = one - sliders.metallic;
         let aspect = (one - T::lit(0.9) * sliders.anisotropic).sqrt();
         let alpha = sliders.roughness.squared();

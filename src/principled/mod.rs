@@ -5,3 +5,5 @@ mod parameters;
 
 pub use disney_2012::{Disney2012, DisneyForm};
 pub use parameters::DisneyParameters;
+#[cfg(feature = "serde")]
+pub(crate) use parameters::luminance;

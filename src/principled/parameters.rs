@@ -17,7 +17,8 @@ use crate::real::{Color, Real};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DisneyParameters<C = glam::Vec3, T = f32> {
-    /// The colour of the surface, linear.
+    /// The colour of the surface, linear. Its tint is itself over its luminance 0.3R + 0.6G + 0.1B where it has
+    /// three channels, which count as red, green and blue, and over the mean of its channels otherwise.
     pub base_color: C,
     /// From a dielectric to a metal: 0.
     pub metallic: T,
@@ -104,15 +105,24 @@ impl<T: Real, C: Color<T>> DisneyParameters<C, T> {
         Ok(())
     }
 
-    /// The base colour over its luminance, white where it is black.
-    pub(super) fn tint(&self) -> C {
-        let channels = self.base_color.channels();
-        let luminance = match *channels.as_ref() {
-            [r, g, b] => T::lit(0.3) * r + T::lit(0.6) * g + T::lit(0.1) * b,
+    /// The luminance of the base colour where its channels are red, green and blue; of any other number of
+    /// channels their mean.
+    pub(super) fn luminance(&self) -> T {
+        match *self.base_color.channels().as_ref() {
+            [r, g, b] => luminance([r, g, b]),
             _ => self.base_color.mean(),
-        };
+        }
+    }
+
+    /// The base colour over a luminance, white where that is 0.
+    pub(super) fn tint(&self, luminance: T) -> C {
         let some = luminance.gt(T::lit(1e-30));
         let scale = T::one() / T::select(some, luminance, T::one());
         self.base_color.map(|base| T::select(some, base * scale, T::one()))
     }
+}
+
+/// The luminance of red, green and blue.
+pub(crate) fn luminance<T: Real>([r, g, b]: [T; 3]) -> T {
+    T::lit(0.3) * r + T::lit(0.6) * g + T::lit(0.1) * b
 }

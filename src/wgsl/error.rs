@@ -20,12 +20,19 @@ pub enum ShaderError {
     Taken(String),
     /// A place of a uniform buffer that the module uses already.
     Bound(Binding),
-    /// A name of which the module has no sample function.
+    /// A name of which the module has no model.
     Unknown(String),
-    /// A symbol of another function, or of another thread.
-    Foreign,
+    /// A function or model of this name with a symbol of another function, or of another thread.
+    Foreign(String),
     /// More operations than text should have: a long loop was written out.
-    TooLong,
+    TooLong {
+        /// The name of the function or model.
+        name: String,
+        /// How many operations there may be.
+        most: usize,
+    },
+    /// A model of this name over the whole sphere where one of reflection must be.
+    WholeSphere(String),
     /// A constant that is not finite, as a quotient by 0 is, or a parameter whose value is not finite in
     /// single precision.
     NotFinite {
@@ -67,8 +74,16 @@ impl fmt::Display for ShaderError {
                 write!(f, "@group({group}) @binding({binding}) has a buffer of the module already")
             }
             Self::Unknown(name) => write!(f, "the module has no model of the name {name:?}"),
-            Self::Foreign => f.write_str("a symbol belongs to another function"),
-            Self::TooLong => f.write_str("the formula has too many operations to be written out"),
+            Self::Foreign(name) => {
+                write!(f, "{name:?} has a symbol that belongs to another function or thread")
+            }
+            Self::TooLong { name, most } => {
+                write!(f, "{name:?} must have at most {most} operations, and has more")
+            }
+            Self::WholeSphere(name) => write!(
+                f,
+                "the albedo is that of a model of reflection, and {name:?} is one over the whole sphere"
+            ),
             Self::NotFinite { name, value } => {
                 write!(
                     f,

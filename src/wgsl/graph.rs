@@ -56,7 +56,7 @@ pub(super) struct Step {
 
 /// More operations than any model of the crate has; who asks for a long loop to be unrolled gets
 /// an error and no endless text.
-const MOST: usize = 200_000;
+pub(super) const MOST: usize = 200_000;
 
 /// The operations of one function, in the order of their first use.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! The text of a shader: models and what they need.
 
-use alloc::collections::BTreeSet;
+use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -9,7 +9,7 @@ use core::fmt::{self, Write};
 use super::error::ShaderError;
 use super::expr::{Expr, ExprVec3};
 use super::function::{Answer, Arguments};
-use super::graph::{Graph, session};
+use super::graph::{Graph, MOST, session};
 use super::literal::LARGEST;
 use super::name::checked;
 use super::parameters::{Binding, Parameters, Uniforms};
@@ -48,6 +48,8 @@ pub struct Module {
     bindings: Vec<Binding>,
     functions: BTreeSet<Function>,
     samples: BTreeSet<Kind>,
+    /// What the models are.
+    models: BTreeMap<String, Kind>,
     text: String,
 }
 
@@ -251,15 +253,33 @@ impl Module {
         Ok(uniforms)
     }
 
-    /// Adds `NAME_albedo`, the directional albedo of a model that is in the module: the mean weight
-    /// of the 4181 samples of a lattice, in a loop over `NAME_sample`.
+    /// Adds `NAME_albedo`, the directional albedo of a model of reflection that is in the module: the mean
+    /// weight of the 4181 samples of a lattice, in a loop over `NAME_sample`.
+    ///
+    /// A model over the whole sphere has no such function. What its samples weigh on the mean is all that it
+    /// reflects and transmits, lobes included, and depends on the mode: refraction scales
+    /// [radiance](TransportMode::Radiance).
+    ///
+    /// ```
+    /// use brdf::wgsl::{Module, ShaderError};
+    /// use brdf::{Lift, SmoothDielectric, TransportMode};
+    ///
+    /// let glass = SmoothDielectric::new(1.5_f32)?.lift(|number| number.into());
+    /// let mut module = Module::new();
+    /// module.add_bsdf("glass", &glass, TransportMode::Radiance)?;
+    /// assert_eq!(module.add_albedo("glass"), Err(ShaderError::WholeSphere("glass".into())));
+    /// # Ok::<(), ShaderError>(())
+    /// ```
     ///
     /// # Errors
-    /// If the module has no model of that name, or its albedo already.
+    /// If the module has no model of that name, or its albedo already, or if the model is one over the whole
+    /// sphere.
     pub fn add_albedo(&mut self, name: &str) -> Result<(), ShaderError> {
         let (albedo, sample) = (format!("{name}_albedo"), format!("{name}_sample"));
-        if !self.names.contains(&sample) {
-            return Err(ShaderError::Unknown(name.into()));
+        match self.models.get(name) {
+            Some(Kind::Brdf) => {}
+            Some(Kind::Bsdf) => return Err(ShaderError::WholeSphere(name.into())),
+            None => return Err(ShaderError::Unknown(name.into())),
         }
         if !self.names.insert(albedo.clone()) {
             return Err(ShaderError::Taken(albedo));
@@ -294,10 +314,10 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
         results: impl IntoIterator<Item = Value>,
     ) -> Result<(), ShaderError> {
         if graph.foreign {
-            return Err(ShaderError::Foreign);
+            return Err(ShaderError::Foreign(names.name.into()));
         }
         if graph.full {
-            return Err(ShaderError::TooLong);
+            return Err(ShaderError::TooLong { name: names.name.into(), most: MOST });
         }
         if let Some(taken) = names.taken.iter().find(|name| self.names.contains(*name)) {
             return Err(ShaderError::Taken(taken.clone()));
@@ -383,6 +403,7 @@ fn {albedo}(wo: vec3<f32>) -> vec3<f32> {{
             parts: kind.parts(),
         });
         self.samples.insert(kind);
+        self.models.insert(name.into(), kind);
     }
 
     fn function(&mut self, signature: Signature<'_>) {

@@ -173,7 +173,7 @@ fn mistakes_of_form_name_their_place() {
         (
             r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": 1}},
                 "fresnel": {"constant": 1}, "shadowing": "smyth"}}"#,
-            "cook_torrance.shadowing.smyth: unknown name, expected one of `v_cavity`, `smith`, \
+            "cook_torrance.shadowing: unknown name \"smyth\", expected one of `v_cavity`, `smith`, \
              `smith_separable`",
         ),
     ] {
@@ -192,6 +192,43 @@ fn unknown_forms_are_answered_by_the_known_ones() {
     let known: Vec<_> = known.map(|(_, form)| format!("`{}`", form.name())).collect();
     let message = format!("lambret: unknown name, expected one of {} at line", known.join(", "));
     assert!(error.starts_with(&message), "{error}");
+}
+
+#[test]
+fn forms_of_another_description_say_of_which() {
+    for (text, hint) in [
+        (r#"{"mirror": {}}"#, "mirror: unknown name here, a form of `BsdfDescription`, expected "),
+        (r#"{"he_1991": {}}"#, "he_1991: unknown name here, a form of `BsdfDescription`, expected "),
+        (
+            r#"{"torrance_sparrow_1967": {"c": 0.05, "fresnel": {"ggx": {"roughness": 1}}}}"#,
+            "torrance_sparrow_1967.fresnel.ggx: unknown name here, a form of \
+             `DistributionDescription`, expected ",
+        ),
+    ] {
+        let error = model_error(text);
+        assert!(error.starts_with(hint), "{error}");
+    }
+}
+
+#[test]
+fn words_are_texts_and_vectors_have_three_numbers() {
+    for (text, message) in [
+        (
+            r#"{"hapke": {"w": 0.5, "h_function": 1993}}"#,
+            "hapke.h_function: expected a text, one of \"1993\" \"1981\"",
+        ),
+        (
+            r#"{"disney_2012": {"base_color": 0.5, "form": 2014}}"#,
+            "disney_2012.form: expected a text, one of \"2012\" \"2014\"",
+        ),
+        (
+            r#"{"lafortune": {"lobes": [{"c": -1, "exponent": 2}]}}"#,
+            "lafortune.lobes[0].c: invalid type: integer `-1`, expected a list of 3 numbers",
+        ),
+    ] {
+        let error = model_error(text);
+        assert!(error.starts_with(message), "{error}");
+    }
 }
 
 /// Errors that the reader of JSON raises by itself say what is expected, too.
@@ -427,7 +464,7 @@ fn every_mistake_names_its_place() {
                 }
                 Value::String(_) => {
                     let word = |value: &mut Value| *value = json!("?");
-                    refused(spot, &word, ".?: unknown name, expected one of ");
+                    refused(spot, &word, ": unknown name \"?\", expected one of ");
                 }
                 Value::Bool(_) => {
                     refused(spot, &|value| *value = json!(1), ": invalid type: integer `1`");

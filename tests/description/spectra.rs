@@ -71,6 +71,22 @@ fn at_the_three_wavelengths_the_answers_are_those_of_red_green_and_blue() {
     }
 }
 
+/// The tint of Disney's material is the same by itself and among other wavelengths.
+#[test]
+fn a_tint_depends_on_no_other_wavelength() {
+    let text = r#"{"disney_2012": {"base_color": [0.8, 0.4, 0.2], "sheen": 1, "sheen_tint": 1,
+                                   "specular_tint": 1}}"#;
+    let described: BrdfDescription = serde_json::from_str(text).expect(text);
+    let (wi, wo) = (DVec3::new(0.6, 0.0, 0.8), DVec3::new(-0.48, 0.36, 0.8));
+    let [r, g, b] = described.build::<f64>().expect(text).eval(wi, wo).to_array();
+    let one = described.build_spectrum::<f64, 1>(&[550.0]).expect(text).eval(wi, wo);
+    let two = described.build_spectrum::<f64, 2>(&[650.0, 550.0]).expect(text).eval(wi, wo);
+    let turned = described.build_spectrum::<f64, 3>(&[450.0, 550.0, 650.0]).expect(text);
+    assert_eq!(one.0, [g]);
+    assert_eq!(two.0, [r, g]);
+    assert_eq!(turned.eval(wi, wo).0, [b, g, r]);
+}
+
 #[test]
 fn a_colour_is_a_spectrum_of_straight_lines() {
     let paint: BrdfDescription =

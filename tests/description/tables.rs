@@ -62,6 +62,7 @@ fn example(parameter: &Parameter) -> Value {
             let keys = parameters.iter().map(|it| (it.name.to_owned(), example(it)));
             json!([Value::Object(keys.collect())])
         }
+        Kind::Vector(_) => json!([inside(0); 3]),
         Kind::Flag => json!(true),
         Kind::Word(words) => json!(words[0]),
         Kind::Text | Kind::Metal => json!("Au"),
@@ -216,6 +217,10 @@ fn every_value_has_its_type() {
                 refuse(json!("red"), ": invalid type: string \"red\", expected a number at");
                 refuse(json!([1]), ": invalid type: sequence, expected a number at");
             }
+            Kind::Vector(_) => {
+                refuse(json!(-1), ": invalid type: integer `-1`, expected a list of 3 numbers at");
+                refuse(json!([1, 1]), ": invalid length 2, expected a list of 3 numbers at");
+            }
             Kind::Color(_) | Kind::Roughness(_) | Kind::Index(..) => {
                 let most = parameter.kind.most();
                 let expected = format!("expected a number or a list of {most} numbers at");
@@ -319,8 +324,9 @@ fn every_value_has_its_type() {
             Kind::Flag => refuse(json!(0), ": invalid type: integer `0`, expected a boolean at"),
             Kind::Text => refuse(json!(0), ": invalid type: integer `0`, expected a text at"),
             Kind::Word(words) => {
-                refuse(json!("?"), ".?: unknown name, expected one of `");
-                refuse(json!(0), &format!(": expected one of `{}`", words.join("` `")));
+                refuse(json!("?"), ": unknown name \"?\", expected one of `");
+                let texts = words.join("\" \"");
+                refuse(json!(0), &format!(": expected a text, one of \"{texts}\""));
             }
             Kind::Part(_) => {
                 refuse(json!({"?": 0}), ".?: unknown name, expected one of `");

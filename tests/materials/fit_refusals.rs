@@ -21,9 +21,16 @@ fn what_cannot_be_fitted_says_why() {
     let nothing = error(&fit().free("lambert.sigma"), &measured);
     assert_eq!(nothing.to_string(), "the description has no number lambert.sigma");
     assert!(matches!(error(&fit().free("lamb"), &measured), FitError::NoSuchNumber(_)));
-    for bounds in [0.5..=0.1, -1.0..=1.0, 0.0..=f64::NAN, 0.2..=0.2] {
+    for (bounds, shown) in [
+        (0.5..=0.1, "0.5 and 0.1"),
+        (-1.0..=1.0, "-1 and 1"),
+        (0.0..=f64::NAN, "0 and NaN"),
+        (0.2..=0.2, "0.2 and 0.2"),
+    ] {
         let error = error(&fit().free_within("lambert.albedo", bounds), &measured);
-        assert_eq!(error, FitError::Bounds("lambert.albedo".into()));
+        assert!(matches!(error, FitError::Bounds { .. }));
+        let rule = "the bounds of lambert.albedo must rise and lie between 0 and 1, not be ";
+        assert_eq!(error.to_string(), format!("{rule}{shown}"));
     }
     let few = error(&fit().free("lambert"), &[]);
     assert_eq!(few, FitError::TooFew { measured: 0, free: 1 });
