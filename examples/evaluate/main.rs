@@ -12,7 +12,7 @@
 //! | `{"brdf": B, "wo": […], "u": [u0,u1]}` | `{"wi": […], "weight": [r,g,b], "pdf": p}` |
 //! | `{"brdf": B, "wo": […]}` | `{"albedo": [r,g,b]}` |
 //! | `{"mueller": B, "wi": […], "wo": […]}` | `{"mueller": [M_r, M_g, M_b]}` |
-//! | `{"gradient": B, "wi": [x,y,z], "wo": [x,y,z]}` | `{"value": [r,g,b], "gradient": {"PATH": [dr,dg,db], …}}`: derivatives of the value by every number, under the place of it; a colour of three numbers counts as one |
+//! | `{"gradient": B, "wi": [x,y,z], "wo": [x,y,z]}` | `{"value": [r,g,b], "gradient": {"PATH": [dr,dg,db], …}}`: derivatives of the value by every number, under the place of it; a colour of three numbers counts as one, each component of a vector by itself |
 //! | `{"fresnel": F, "cos": c}` | `{"reflectance": [r,g,b]}`; for `belcour_barla` also `"xyz": [x,y,z]` |
 //! | `{"fresnel": F}` | `{"average": [r,g,b]}` |
 //! | `{"distribution": D, "h": [x,y,z]}` | `{"density": d}` |

@@ -194,7 +194,11 @@ impl<'de> DeserializeSeed<'de> for ValueAt<'_> {
                     .explain(&place, &AllWords(words), read)
                     .map(|index| Value::Word(words, index))
             }
-            Kind::Number(_) | Kind::Color(_) | Kind::Vector(_) | Kind::Roughness(_) | Kind::Index(..) => {
+            Kind::Number(_)
+            | Kind::Color(_)
+            | Kind::Vector(_)
+            | Kind::Roughness(_)
+            | Kind::Index(..) => {
                 from.deserialize_any(OneOrEach(&place, parameter)).map(Value::Numbers)
             }
         };

@@ -229,6 +229,50 @@ fn answers_have_known_values() {
 
 /// A specular lobe has no density; value and albedo of a model over the hemisphere leave it out and
 /// have it in.
+/// The direction of a lobe is a vector, each of whose components moves all channels.
+#[test]
+fn the_gradient_has_each_component_of_a_vector() {
+    let value = |c: [f64; 3]| {
+        let lobes = json!([{"specular": [0.5, 0.4, 0.3], "c": c, "exponent": 3}]);
+        let model = json!({"lafortune": {"diffuse": [0.3, 0.2, 0.1], "lobes": lobes}});
+        let pair = json!({"wi": [0.6, 0, 0.8], "wo": [-0.48, 0.36, 0.8]});
+        let question = |key: &str| {
+            let mut question = pair.clone();
+            question[key] = model.clone();
+            ask(&question.to_string())
+        };
+        (numbers(&question("brdf")["value"]), question("gradient")["gradient"].clone())
+    };
+    let at = [-1.0, -1.0, 0.9];
+    let (_, gradient) = value(at);
+    let keys: Vec<_> = gradient.as_object().expect("an object").keys().collect();
+    assert_eq!(
+        keys,
+        [
+            "lafortune.diffuse",
+            "lafortune.lobes[0].c[0]",
+            "lafortune.lobes[0].c[1]",
+            "lafortune.lobes[0].c[2]",
+            "lafortune.lobes[0].exponent",
+            "lafortune.lobes[0].specular",
+        ]
+    );
+    for place in 0..3 {
+        let moved = |by: f64| {
+            let mut c = at;
+            c[place] += by;
+            value(c).0
+        };
+        let derivatives = numbers(&gradient[format!("lafortune.lobes[0].c[{place}]")]);
+        for ((above, below), derivative) in
+            moved(1e-5).into_iter().zip(moved(-1e-5)).zip(derivatives)
+        {
+            let difference = (above - below) / 2e-5;
+            assert!((difference - derivative).abs() < 1e-8, "{place}: {difference} {derivative}");
+        }
+    }
+}
+
 #[test]
 fn lobes_have_no_density() {
     let glass = r#"{"bsdf": {"dielectric": {"ior": 1.5}}, "wo": [0, 0, 1], "u": [0.5, 0.5,"#;

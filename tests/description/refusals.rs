@@ -198,7 +198,10 @@ fn unknown_forms_are_answered_by_the_known_ones() {
 fn forms_of_another_description_say_of_which() {
     for (text, hint) in [
         (r#"{"mirror": {}}"#, "mirror: unknown name here, a form of `BsdfDescription`, expected "),
-        (r#"{"he_1991": {}}"#, "he_1991: unknown name here, a form of `BsdfDescription`, expected "),
+        (
+            r#"{"he_1991": {}}"#,
+            "he_1991: unknown name here, a form of `BsdfDescription`, expected ",
+        ),
         (
             r#"{"torrance_sparrow_1967": {"c": 0.05, "fresnel": {"ggx": {"roughness": 1}}}}"#,
             "torrance_sparrow_1967.fresnel.ggx: unknown name here, a form of \
