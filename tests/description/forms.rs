@@ -68,7 +68,7 @@ pub(crate) const SIMPLE: [&str; 27] = [
     r#"{"ward":{"specular":0.5,"roughness":[0.1,0.3]}}"#,
     r#"{"ward":{"specular":0.5,"roughness":0.1,"form":"ward_1992"}}"#,
     r#"{"ashikhmin_shirley":{"specular":0.1,"diffuse":[0.5,0.4,0.3],"exponent":[10,100]}}"#,
-    r#"{"lafortune":{"lobes":[{"c":[-1,-1,0.9],"exponent":10},{"c":0.5,"exponent":3,"specular":[0.5,0.4,0.3]}]}}"#,
+    r#"{"lafortune":{"lobes":[{"c":[-1,-1,0.9],"exponent":10},{"c":[0.5,0.5,0.5],"exponent":3,"specular":[0.5,0.4,0.3]}]}}"#,
     r#"{"hapke":{"w":[0.1,0.2,0.3]}}"#,
     r#"{"hapke":{"w":0.5,"xi":-0.3,"b0":1,"h":0.1,"theta_bar":0.3,"h_function":"1981"}}"#,
     r#"{"schlick_1994":{"layers":[{"specular":0.5,"roughness":0.3}]}}"#,

@@ -274,8 +274,8 @@ fn values_of_a_wrong_form_say_what_is_expected() {
         (
             r#"{"cook_torrance": {"distribution": {"ggx": {"roughness": 1}},
                 "fresnel": {"constant": 1}, "shadowing": 3}}"#,
-            "cook_torrance.shadowing: expected one of `v_cavity` `smith` `smith_separable`: \
-             expected value"
+            "cook_torrance.shadowing: expected a text, one of \"v_cavity\" \"smith\" \
+             \"smith_separable\": expected value"
                 .into(),
         ),
     ] {
