@@ -58,7 +58,7 @@ lift! {
 ///
 /// # Sampling
 /// From the diffuse part with density cosθ/π or from a lobe with density (n + 1)/2π cosⁿ around D, chosen by about
-/// how much each of them reflects.
+/// how much each of them reflects above the surface, where a |D|ⁿ above 10¹⁸ counts as that.
 ///
 /// # Sources
 /// E. P. F. Lafortune, S.-C. Foo, K. E. Torrance, D. P. Greenberg, *Non-Linear Approximation of Reflectance
@@ -157,8 +157,10 @@ struct Towards<T: Real> {
     axis: T::Vec3,
     /// |D|.
     length: T,
-    /// |D|ⁿ, bounded.
+    /// |D|ⁿ, saturated; 0 for D = 0.
     height: T,
+    /// |D|^(n/2), saturated.
+    root: T,
     /// About what it reflects.
     share: T,
 }
@@ -169,15 +171,34 @@ impl<T: Real, C: Color<T>> LafortuneLobe<C, T> {
         let (one, two) = (T::one(), T::lit(2.0));
         let [x, y, z] = self.c;
         let d: T::Vec3 = Vector::new(x * viewer.x(), y * viewer.y(), z * viewer.z());
-        // A lobe of no length reflects nothing, or evenly for an exponent of 0.
+        // Squares of what is too small vanish: it is stretched first.
+        let largest = d.x().abs().max(d.y().abs()).max(d.z().abs()).held();
+        let some = largest.gt(T::zero());
+        let small = largest.lt(T::lit(1e-15));
+        let unit = T::select(small, largest.max(T::lit(4.0) / T::max_finite()), one);
+        let d = d * (one / unit);
         let squared = Vector::length_squared(d).max(T::lit(1e-36));
-        let length = squared.sqrt();
-        let axis = d * (one / length);
-        let axis = Vector::normalize_or_normal(axis);
-        let height = squared.powf(self.exponent * T::lit(0.5)).min(T::lit(1e18));
-        let above = axis.z().max(T::zero()) + one / (self.exponent + two).sqrt();
-        let share = self.specular.mean() * height * above * (T::lit(TAU) / (self.exponent + one));
-        Towards { axis, length, height, share }
+        let root = squared.sqrt();
+        let axis = Vector::normalize_or_normal(d * (one / root));
+        // A lobe of no length reflects nothing.
+        let length = T::select(some, root * unit, one);
+        let half = self.exponent * T::lit(0.5);
+        let (base, power) =
+            (T::select(small, length, squared), T::select(small, self.exponent, half));
+        let height = base.powf(power).min(T::max_finite()).only_where(some);
+        let root_of_height = base.powf(power * T::lit(0.5)).min(T::max_finite()).only_where(some);
+        // What of it lies above the surface falls like that, where it points below.
+        let sine = (axis.x().squared() + axis.y().squared()).max(T::lit(1e-36));
+        let depth = axis.z().squared();
+        let above = sine.power_of_part(depth, half + one) / (one + depth * (self.exponent + two));
+        let sunk = axis.z().lt(T::zero());
+        let spread = one / (self.exponent + two).sqrt();
+        let above = axis.z().max(T::zero()) + T::select(sunk, spread * above, spread);
+        let mean = self.specular.mean();
+        let share = mean * height.min(T::lit(1e18)) * above * (T::lit(TAU) / (self.exponent + one));
+        // So large that the quotient of shares has its digits.
+        let share = share.max(T::lit(1e-30)).only_where(some.and(mean.gt(T::zero())));
+        Towards { axis, length, height, root: root_of_height, share }
     }
 
     /// D·L.
@@ -288,10 +309,58 @@ impl<T: Real, C: Color<T>> Brdf<T> for Lafortune<C, T> {
         let viewer = unit_viewer::<T>(wo);
         let mut sum = self.diffuse;
         for lobe in &self.lobes {
-            let Towards { axis, height, .. } = lobe.towards(viewer);
+            let Towards { axis, height, root, .. } = lobe.towards(viewer);
             let part = lobe.reflected(axis) * (T::lit(TAU) / (lobe.exponent + T::lit(2.0)));
-            sum = sum + lobe.specular * (height * part);
+            // A height that is too large may have a small part above the surface.
+            let large = height.ge(T::max_finite());
+            let high = (part * root).min(T::max_finite()) * root;
+            let reflected = T::select(large, high, height * part).min(T::max_finite());
+            sum = sum + (lobe.specular * reflected).map(|value| value.min(T::max_finite()));
         }
         sum.map(|value| value.min(T::max_finite())).only_where(above_surface::<T, _>(wo))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Brdf, Lafortune, LafortuneLobe};
+    use crate::quadrature::mean_over_square;
+    use glam::{DVec3, Vec3};
+
+    fn lobe(c: [f64; 3], exponent: f64, diffuse: f64) -> Lafortune<f64, f64> {
+        Lafortune::new(diffuse, [LafortuneLobe { specular: 1.0, c, exponent }]).unwrap()
+    }
+
+    #[test]
+    fn high_lobes_have_the_albedo_of_their_samples() {
+        let high = lobe([-2.0, -2.0, 2.0], 100.0, 0.0);
+        let want = 2.0_f64.powi(100) * core::f64::consts::TAU / 102.0;
+        assert!((high.albedo(DVec3::Z) / want - 1.0).abs() < 1e-13);
+        let mean = mean_over_square(|u| high.sample(DVec3::Z, u).weight);
+        assert!((mean / want - 1.0).abs() < 1e-3);
+        let c = [-1e4, -1e4, 1e4];
+        let most = Lafortune::new(0.0_f32, [LafortuneLobe { specular: 1.0, c, exponent: 1e3 }]);
+        assert_eq!(most.unwrap().albedo(Vec3::Z), f32::MAX);
+    }
+
+    #[test]
+    fn low_lobes_have_the_albedo_of_their_samples() {
+        for exponent in [0.0, 0.1, 2.0] {
+            let low = lobe([-1e-20, -1e-20, 1e-20], exponent, 0.0);
+            let want = 1e-20_f64.powf(exponent) * core::f64::consts::TAU / (exponent + 2.0);
+            assert!((low.albedo(DVec3::Z) / want - 1.0).abs() < 1e-12, "{exponent}");
+            let mean = mean_over_square(|u| low.sample(DVec3::Z, u).weight);
+            assert!((mean / want - 1.0).abs() < 1e-3, "{exponent}");
+        }
+        let flat = lobe([-1.0, -1.0, 0.0], 0.0, 0.0);
+        assert_eq!((flat.eval(DVec3::Z, DVec3::Z), flat.albedo(DVec3::Z)), (0.0, 0.0));
+        assert_eq!(flat.pdf(DVec3::Z, DVec3::Z), 0.0);
+    }
+
+    #[test]
+    fn a_lobe_below_the_surface_takes_few_draws() {
+        let sunk = lobe([-1.0, -1.0, -2.0], 10.0, 0.5);
+        let drawn = mean_over_square(|u| f64::from(u8::from(sunk.sample(DVec3::Z, u).pdf > 0.0)));
+        assert!(drawn > 0.99, "{drawn}");
     }
 }

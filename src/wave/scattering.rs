@@ -80,6 +80,9 @@ macro_rules! of_scattering {
 }
 pub(super) use of_scattering;
 
+/// A power of 2 not below the number of weights in [`Scattering::power`], so that their sum stays finite.
+const WEIGHTS: f64 = 8192.0;
+
 /// The probabilities of the parts, of a viewer.
 #[derive(Clone, Copy, Debug)]
 struct Chances<T> {
@@ -204,9 +207,10 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
         let proposal = Proposal::new(&self.surface, wo);
         let diffuse = mean_over_square(
             #[inline(always)]
-            |u| self.weight(&proposal, wo, u),
+            |u| self.weight(&proposal, wo, u) * T::lit(1.0 / WEIGHTS),
         );
-        let reflectance = self.lobe(wo) + diffuse + self.uniform * T::lit(PI);
+        let whole = diffuse * T::lit(WEIGHTS) + self.lobe(wo) + self.uniform * T::lit(PI);
+        let reflectance = whole.map(|value| value.min(T::max_finite()));
         Power { reflectance: reflectance.only_where(above), transmittance: C::splat(T::zero()) }
     }
 
@@ -227,5 +231,25 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
         let scale = wi.z() / T::select(drawn, pdf, one);
         let value = self.diffuse(&Pair::<T>::where_above(wi, wo, drawn)) * scale;
         value.map(|weight| weight.min(T::max_finite())).only_where(drawn)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{BeckmannKirchhoff, Bsdf, Constant, He1991};
+    use glam::Vec3;
+
+    #[test]
+    fn power_is_finite_at_the_horizon() {
+        let white = Constant::new(1.0_f32).unwrap();
+        for sigma in [50.0, 200.0, 1e9] {
+            for z in [1e-30, 1e-37, 1e-40] {
+                let wo = Vec3::new(1.0, 0.0, z);
+                let open = BeckmannKirchhoff::new(sigma, 2000.0, white, 550.0).unwrap();
+                let masked = He1991::new(sigma, 2000.0, white, 550.0).unwrap();
+                let power = [open.power(wo), masked.power(wo)].map(|power| power.reflectance);
+                assert!(power.iter().all(|it| it.is_finite()), "{sigma} {z:e}: {power:?}");
+            }
+        }
     }
 }
