@@ -1,7 +1,6 @@
-use super::clamped::unit;
+use super::clamped::{average, unit};
 use super::term::{Fresnel, incident_cosine};
 use crate::parameter::model;
-use crate::quadrature::integrate;
 use crate::real::{Color, Real};
 
 model! {
@@ -77,96 +76,6 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Lazanyi<C> {
         let dip = self.a.zip(self.alpha, |a, alpha| {
             a / (alpha + one) * T::lit(4.0) / ((alpha + two) * (alpha + three))
         });
-        let free = schlick.zip(dip, |schlick, dip| schlick - dip);
-        let (free, f0) = (free.channels(), self.f0.channels());
-        let (a, alpha) = (self.a.channels(), self.alpha.channels());
-        let (free, f0, a, alpha) = (free.as_ref(), f0.as_ref(), a.as_ref(), alpha.as_ref());
-        unit(C::from_channels(C::by_channel(|channel| {
-            let term = Lazanyi { f0: f0[channel], a: a[channel], alpha: alpha[channel] };
-            term.held_average(free[channel])
-        })))
-    }
-}
-
-impl<T: Real> Lazanyi<T> {
-    /// The average where F is held at 0 between two cosines, otherwise what it is where nothing is held: F
-    /// over what it loses to the dip has one minimum, and F₀ + (1 − F₀)(1 − u)⁵ and the dip have closed
-    /// integrals from the upper one on.
-    fn held_average(&self, free: T) -> T {
-        let (zero, one, two, three) = (T::zero(), T::one(), T::lit(2.0), T::lit(3.0));
-        let Self { f0, a, alpha } = *self;
-        let lowest = last(zero, one, |cos| {
-            let rest = one - cos;
-            let fifth = rest.squared().squared() * rest;
-            let schlick = (f0 + (one - f0) * fifth).max(T::lit(1e-36));
-            // −u (1 − u) times the slope of the logarithm of the ratio.
-            (rest + cos * (T::lit(5.0) * (one - f0) * fifth / schlick - alpha)).gt(zero)
-        });
-        let held = self.printed(lowest).lt(zero);
-        let lower = last(zero, lowest, |cos| self.printed(cos).ge(zero));
-        let upper = last(lowest, one, |cos| self.printed(cos).lt(zero));
-        // Next to the end of the range the power may be steep.
-        let below = integrate(zero, one, |part: T| {
-            let cos = lower * (part * (two - part));
-            self.printed(cos) * (T::lit(4.0) * cos * lower * (one - part))
-        });
-        let rest = one - upper;
-        let some = rest.gt(zero);
-        let rest = T::select(some, rest, one);
-        let (square, power) = (rest.squared(), rest.powf(alpha + one));
-        let sixth = square.squared() * square;
-        let schlick = f0 * (rest - square * T::lit(0.5))
-            + (one - f0) * sixth * (T::lit(1.0 / 6.0) - rest * T::lit(1.0 / 7.0));
-        let dip = one / (alpha + one) - two * rest / (alpha + two) + square / (alpha + three);
-        let above = (two * (schlick - a * power * dip)).max(zero).only_where(some);
-        T::select(held, below + above, free)
-    }
-}
-
-/// The last number up to which something is true, by halving; it does not change with the parameters, as F is 0
-/// there.
-fn last<T: Real>(lower: T, upper: T, holds: impl Fn(T) -> T::Mask) -> T {
-    let (mut lower, mut upper) = (lower.held(), upper.held());
-    for _ in 0..48 {
-        let middle = (lower + upper) * T::lit(0.5);
-        let beyond = holds(middle);
-        lower = T::select(beyond, middle, lower);
-        upper = T::select(beyond, upper, middle);
-    }
-    upper
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Fresnel, Lazanyi};
-    use crate::quadrature::integrate;
-
-    #[test]
-    fn averages_of_deep_dips_are_those_of_what_is_held() {
-        for f0 in [0.0, 0.1, 0.5, 0.95, 1.0] {
-            for a in [1.0, 10.0, 1e3, 1e4] {
-                for alpha in [0.1, 1.0, 6.0, 30.0] {
-                    let term = Lazanyi::new(f0, a, alpha).unwrap();
-                    // In panels that become narrow at both ends, where the kinks are.
-                    let reference = |from: f64, to: f64| -> f64 {
-                        let at = |i: i32| from + (to - from) * f64::from(i) / 200.0;
-                        let panel = |i| {
-                            integrate(at(i), at(i + 1), |t: f64| {
-                                let rest = t * (1.0 - t);
-                                let slope = 30.0 * rest * rest;
-                                let cos = t * t * t * (10.0 - t * (15.0 - 6.0 * t));
-                                2.0 * cos * slope * term.reflectance(cos)
-                            })
-                        };
-                        (0..200).map(panel).sum()
-                    };
-                    let want = reference(0.0, 1.0);
-                    let got = term.average();
-                    assert!((got - want).abs() < 1e-6, "{f0} {a} {alpha}: {got:e} {want:e}");
-                }
-            }
-        }
-        let deep = Lazanyi::new(0.5_f64, 1e4, 0.1).unwrap().average();
-        assert!(deep > 2e-9 && deep < 4e-9, "{deep:e}");
+        average(schlick.zip(dip, |schlick, dip| schlick - dip), |cos| self.printed(cos))
     }
 }
