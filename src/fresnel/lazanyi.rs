@@ -20,7 +20,9 @@ model! {
     /// | u | `cos_theta` | cosine of the angle of incidence (V·H on microfacets) | −1 … 1, the sign is ignored |
     ///
     /// # Energy
-    /// Reciprocal. Conserving: F ≤ 1. A dip too deep would make F negative: there it is 0.
+    /// Reciprocal. Conserving: F ≤ 1. A dip too deep would make F negative: there it is 0. `average` is a
+    /// quadrature there and loses digits: F₀ = 0.5, α = 0.1 with a = 10 is off by 4·10⁻⁴; with a = 1000 the
+    /// average is 3·10⁻⁷ and the answer 0.04. No fit to a metal comes near that.
     ///
     /// # Accuracy
     /// With a fit of a and α the largest error is 0.0049 for aluminium at 550 nm (F₀ = 0.915678, a = 1.33,
