@@ -38,8 +38,9 @@ model! {
     ///
     /// # Energy
     /// Normalised, ∫ D cosθ_h dω = 1. Smith's shadowing is not known in closed form but for γ = 2.
-    /// The albedo of a [`CookTorrance`](crate::CookTorrance) surface loses digits for the smallest
-    /// roughnesses: with γ = 30 it is good to 10⁻⁶ from α = 10⁻⁵ on and 0.6 % too small at α = 10⁻⁸.
+    /// The albedo at the normal of a [`CookTorrance`](crate::CookTorrance) surface with V-cavities loses digits for the
+    /// smallest roughnesses: with γ = 30 it is good to 10⁻⁶ from α = 10⁻⁶ on, and too small by 0.4 % at
+    /// 10⁻⁷ and by 0.6 % at 10⁻⁸.
     ///
     /// # Sources
     /// B. Burley, *Physically-Based Shading at Disney*, SIGGRAPH 2012 course, appendix B. γ = 1: E. M.
