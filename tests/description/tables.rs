@@ -62,7 +62,7 @@ fn example(parameter: &Parameter) -> Value {
             let keys = parameters.iter().map(|it| (it.name.to_owned(), example(it)));
             json!([Value::Object(keys.collect())])
         }
-        Kind::Vector(_) => json!([inside(0); 3]),
+        Kind::Vector(_) => json!([inside(0), inside(0), inside(0)]),
         Kind::Flag => json!(true),
         Kind::Word(words) => json!(words[0]),
         Kind::Text | Kind::Metal => json!("Au"),
@@ -420,8 +420,9 @@ fn any_value(parameter: &'static Parameter, depth: u32) -> BoxedStrategy<Value> 
         Kind::Word(words) => proptest::sample::select(words).prop_map(Value::from).boxed(),
         _ => {
             let all: Vec<_> = (0..parameter.kind.most()).map(number).collect();
-            match all.len() {
-                1 => number(0).boxed(),
+            match parameter.kind {
+                Kind::Vector(_) => all.prop_map(Value::from).boxed(),
+                _ if all.len() == 1 => number(0).boxed(),
                 _ => prop_oneof![number(0), all.prop_map(Value::from)].boxed(),
             }
         }
