@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Of so many lines one is measured anew to check the page.
-const EVERY: usize = 16;
+const EVERY: usize = 32;
 
 /// Whether the page has a line for every model, and says what was measured of some of them.
 fn compare(page: &str, rows: &[Row]) -> Result<(), Box<dyn Error>> {

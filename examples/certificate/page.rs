@@ -11,7 +11,7 @@ use brdf_checks::mutation::mutant::Outcome;
 const HEAD: &str = "\
 # What was measured of every model
 
-Written by `cargo run --release --example certificate`; `-- --check` measures every sixteenth line anew and
+Written by `cargo run --release --example certificate`; `-- --check` measures every 32nd line anew and
 compares. The first table has one line for each model, with the worst of its sets of parameters. A
 model whose albedo exceeds 1 reflects more than it receives; a `WeightedSum` does not if its terms do not
 and the weights of each channel add up to at most 1. Where a largest albedo has two figures, the

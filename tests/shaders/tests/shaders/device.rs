@@ -109,8 +109,10 @@ fn shaders_are_as_exact_as_single_precision() {
         let [mut got, mut own] = errors;
         for (index, what) in ["direction", "weight", "density"].into_iter().enumerate() {
             let [got, own] = [&mut got[index], &mut own[index]];
-            // The largest errors stand where a sample jumps or grazes, and depend on how the bits fall.
-            for (part, more) in [(0.5, 1.0), (0.9, 1.0), (0.99, 1.0), (0.999, 1.25)] {
+            // The largest errors stand where a sample jumps or grazes, and depend on how the bits fall; so do those of
+            // a number that was left by the choice of a lobe, which has lost digits.
+            let chosen = if row.promises.one_to_one { 1.0 } else { 1.25 };
+            for (part, more) in [(0.5, 1.0), (0.9, 1.0), (0.99, chosen), (0.999, 1.25)] {
                 let [got, own] = [quantile(got, part), quantile(own, part)];
                 let within = got <= more * allowed(own);
                 if !within {
