@@ -21,30 +21,32 @@ use brdf_checks::mutation::list::mutants;
 use brdf_checks::mutation::mutant;
 use brdf_checks::mutation::suite::Suite;
 use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
 use row::Row;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let check = check(env::args().skip(1))?;
     let (single, double) = (models::single(), models::double());
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} {elapsed} {msg}")?;
-    let bar = ProgressBar::new(double.len().try_into()?).with_style(style);
     let pairs = row::Pairs::new();
-    let measured = models::rows().len().div_ceil(if check { EVERY } else { 1 });
-    let least = page::least(measured);
-    let (mut rows, mut faults) = (Vec::new(), 0);
-    for (index, (single, double)) in single.iter().zip(double).enumerate() {
-        if !check || index % EVERY == 0 {
-            bar.set_message(double.name);
-            let row = Row::measure(index, single, double, &pairs);
-            // At once, for all of them take long.
-            if let Some(fault) = row.fault(least) {
-                bar.suspend(|| eprintln!("{fault}"));
-                faults += 1;
-            }
-            rows.push(row);
+    let measured: Vec<usize> =
+        (0..double.len()).filter(|index| !check || index % EVERY == 0).collect();
+    let bar = ProgressBar::new(measured.len().try_into()?).with_style(style);
+    let least = page::least(measured.len());
+    let measure = |index: usize| {
+        let (single, double) = (&single[index], &double[index]);
+        bar.set_message(double.name);
+        let row = Row::measure(index, single, double, &pairs);
+        let fault = row.fault(least);
+        // At once, for all of them take long.
+        if let Some(fault) = &fault {
+            bar.suspend(|| eprintln!("{fault}"));
         }
         bar.inc(1);
-    }
+        (row, fault.is_some())
+    };
+    let (mut rows, faults): (Vec<Row>, Vec<bool>) = measured.into_par_iter().map(measure).unzip();
+    let faults = faults.into_iter().filter(|fault| *fault).count();
     if faults > 0 {
         bar.finish_and_clear();
         return Err(format!("{faults} models are not what they say").into());

@@ -25,12 +25,13 @@ impl<const K: usize> Cubature<K> {
     }
 }
 
-/// Integrates over each cell until the error of the sum is about `tolerance` or the evaluations
-/// exceed the `budget`. The formula gives K functions, all zero where the first is, and the area
+/// Integrates over each cell, which begins in `pieces` along either axis, until the error of the sum is about
+/// `tolerance` or the evaluations exceed the `budget`. The formula gives K functions, all zero where the first is, and the area
 /// that belongs to a unit of the plane; it may vanish at the edges of the plane, the functions
 /// need not.
 pub fn integrate<const K: usize>(
     partition: &Partition,
+    pieces: u32,
     tolerance: f64,
     budget: u32,
     formula: impl Fn([f64; 2]) -> ([f64; K], f64),
@@ -40,7 +41,9 @@ pub fn integrate<const K: usize>(
     let cells = partition.cells();
     let mut heap = BinaryHeap::with_capacity(2 * cells.len());
     for (cell, &rectangle) in cells.iter().enumerate() {
-        heap.push(Part::new(&mut integrand, negligible, cell, rectangle, false));
+        for piece in rectangle.cut_evenly(pieces) {
+            heap.push(Part::new(&mut integrand, negligible, cell, piece, false));
+        }
     }
     let mut error: f64 = heap.iter().map(|part| part.piece.error()).sum();
     while error > tolerance && integrand.evaluations < budget {

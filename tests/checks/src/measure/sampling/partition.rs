@@ -36,6 +36,22 @@ impl Rectangle {
         [below, above]
     }
 
+    /// As many parts of the same size along either axis.
+    pub fn cut_evenly(self, pieces: u32) -> impl Iterator<Item = Self> {
+        let end = move |axis: usize, index: u32| {
+            if index == pieces {
+                self.to[axis]
+            } else {
+                self.from[axis] + self.width(axis) * f64::from(index) / f64::from(pieces)
+            }
+        };
+        let places = (0..pieces).flat_map(move |x| (0..pieces).map(move |y| [x, y]));
+        places.map(move |[x, y]| Self {
+            from: [end(0, x), end(1, y)],
+            to: [end(0, x + 1), end(1, y + 1)],
+        })
+    }
+
     pub fn cut_in_half(self, axis: usize) -> [Self; 2] {
         self.cut(axis, 0.5 * (self.from[axis] + self.to[axis]))
     }
