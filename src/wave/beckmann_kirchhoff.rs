@@ -1,5 +1,6 @@
 use super::scattering::{Scattering, of_scattering};
 use super::surface::{Hiding, Surface};
+use crate::block::{ColorBlock, PairBlock};
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::error::ParameterError;
 use crate::fresnel::Fresnel;

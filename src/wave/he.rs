@@ -1,6 +1,7 @@
 use super::masking::Masking;
 use super::scattering::{Scattering, of_scattering};
 use super::surface::{Hiding, Surface};
+use crate::block::{ColorBlock, PairBlock};
 use crate::bsdf::{Bsdf, BsdfSample, Lobes, Power, TransportMode};
 use crate::direction::{above_or_normal, above_surface, both_above};
 use crate::error::{ParameterError, range};

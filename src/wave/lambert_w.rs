@@ -8,15 +8,22 @@ use crate::real::Real;
 /// transcendental equation weʷ = x", CACM 16(2), 1973, of fourth order.
 #[inline(always)]
 pub(super) fn lambert_w<T: Real>(w: T) -> T {
+    let one = T::one();
+    let start = fritsch(w, nearly(w.held()).held());
+    let root = if T::SPACING < 1e-10 { fritsch(w, start) } else { start };
+    root.as_solution_of(
+        #[inline(always)]
+        |x| ((w / x).ln() - x, -one - one / x),
+    )
+}
+
+/// A step towards the root.
+#[inline(always)]
+fn fritsch<T: Real>(w: T, x: T) -> T {
     let (one, two) = (T::one(), T::lit(2.0));
-    let step = |x: T| {
-        let z = (w / x).ln() - x;
-        let q = two * (one + x) * (one + x + T::lit(2.0 / 3.0) * z);
-        x + x * (z / (one + x)) * ((q - z) / (q - two * z))
-    };
-    let start = step(nearly(w.held()).held());
-    let root = if T::SPACING < 1e-10 { step(start) } else { start };
-    root.as_solution_of(|x| ((w / x).ln() - x, -one - one / x))
+    let z = (w / x).ln() - x;
+    let q = two * (one + x) * (one + x + T::lit(2.0 / 3.0) * z);
+    x + x * (z / (one + x)) * ((q - z) / (q - two * z))
 }
 
 /// The same to 1.5 %.

@@ -8,6 +8,7 @@ mod orders;
 mod polarized;
 mod proposal;
 mod scattering;
+mod series;
 mod surface;
 
 pub use beckmann_kirchhoff::BeckmannKirchhoff;

@@ -57,6 +57,12 @@ impl Rule {
     }
 }
 
+/// Where there are so many that they are taken in steps.
+#[inline(always)]
+pub(super) fn are_many<T: Real>(g: T) -> T::Mask {
+    g.ge(T::lit(Rule::of::<T>().many))
+}
+
 impl<T: Real> Orders<T> {
     /// Those that count in Σ gᵐ/(m! m) e^(−e/m); of e = 0 those with the masses.
     #[inline(always)]
@@ -65,13 +71,18 @@ impl<T: Real> Orders<T> {
         let some = g.held().max(T::lit(1e-15));
         let spread = (e.held().min(T::lit(1e6) * some.max(T::one())) / some) / some;
         let peak = nearly(spread + spread).held() * T::lit(0.5);
-        Self { g, many: g.ge(T::lit(Rule::of::<T>().many)), peak }
+        Self::around(g, peak)
     }
 
-    /// Where there are so many that they are taken in steps.
+    /// Those of a g, with the y of the largest term.
     #[inline(always)]
-    pub(super) fn are_many(&self) -> T::Mask {
-        self.many
+    pub(super) fn around(g: T, peak: T) -> Self {
+        Self { g, many: are_many(g), peak }
+    }
+
+    #[inline(always)]
+    pub(super) fn peak(&self) -> T {
+        self.peak
     }
 
     #[inline(always)]
@@ -86,54 +97,139 @@ impl<T: Real> Orders<T> {
 
     #[inline(always)]
     fn visit_few(&self, visit: &mut impl FnMut(Order<T>)) {
-        let (one, rule) = (T::one(), Rule::of::<T>());
-        let g = self.g.min(T::lit(rule.many));
-        let half = T::lit(f64::from(rule.count / 2));
-        let first = (g.held() * self.peak.exp() - half).floor();
-        let later = first.ge(T::lit(rule.least));
-        let first = T::select(later, first, T::lit(rule.least));
-        let some = g.max(T::lit(1e-30));
-        let exponent = first * (some / first).ln() + first - some - stirling(one / first);
-        let mass = exponent.exp() / (first * T::lit(TAU)).sqrt() / some;
-        let mut factor = T::select(later, mass, (-g).exp()).only_where(self.many.not());
-        let mut order = T::select(later, first, one);
-        for _ in 0..rule.count {
-            let inverse = one / order;
-            visit(Order { inverse, factor, exponent: T::zero() });
-            order = order + one;
-            factor = factor * g / order;
+        let mut few = Few::first(self);
+        for _ in 0..Few::<T>::COUNT {
+            visit(few.order());
+            few = few.next();
         }
     }
 
     #[inline(always)]
     fn visit_many(&self, visit: &mut impl FnMut(Order<T>)) {
+        for side in Many::<T>::SIDES {
+            let mut many = Many::first(self, side);
+            for _ in 0..side.count {
+                visit(many.order());
+                many = many.next();
+            }
+        }
+    }
+}
+
+/// Where a number is at in orders that are taken one by one.
+#[derive(Clone, Copy)]
+pub(super) struct Few<T> {
+    /// The order, one over it, and its factor.
+    pub(super) at: [T; 3],
+    /// g and one over it.
+    pub(super) g: [T; 2],
+}
+
+impl<T: Real> Few<T> {
+    /// How many are taken.
+    pub(super) const COUNT: u32 = Rule::of::<T>().count;
+
+    #[inline(always)]
+    pub(super) fn first(orders: &Orders<T>) -> Self {
+        let (one, rule) = (T::one(), Rule::of::<T>());
+        let g = orders.g.min(T::lit(rule.many));
+        let half = T::lit(f64::from(rule.count / 2));
+        let first = (g.held() * orders.peak.exp() - half).floor();
+        let later = first.ge(T::lit(rule.least));
+        let first = T::select(later, first, T::lit(rule.least));
+        let some = g.max(T::lit(1e-30));
+        let exponent = first * (some / first).ln() + first - some - stirling(one / first);
+        let mass = exponent.exp() / (first * T::lit(TAU)).sqrt() / some;
+        let factor = T::select(later, mass, (-g).exp()).only_where(orders.many.not());
+        let order = T::select(later, first, one);
+        Self { at: [order, one / order, factor], g: [g, one / some] }
+    }
+
+    #[inline(always)]
+    pub(super) fn order(&self) -> Order<T> {
+        let [_, inverse, factor] = self.at;
+        Order { inverse, factor, exponent: T::zero() }
+    }
+
+    #[inline(always)]
+    pub(super) fn next(self) -> Self {
+        let Self { at: [order, _, factor], g: [g, inverse_g] } = self;
+        let order = order + T::one();
+        // One quotient, and two roundings of the factor a step. Where g is next to 0 so is the factor.
+        let ratio = g / order;
+        Self { at: [order, ratio * inverse_g, factor * ratio], ..self }
+    }
+}
+
+/// One of the sides of the largest term.
+#[derive(Clone, Copy)]
+pub(super) struct Side {
+    below: bool,
+    pub(super) count: u32,
+}
+
+/// Where a number is at in many orders, taken in steps.
+#[derive(Clone, Copy)]
+pub(super) struct Many<T> {
+    /// √eʸ, one over it, and y.
+    pub(super) at: [T; 3],
+    pub(super) pace: Pace<T>,
+}
+
+/// What stays the same from step to step.
+#[derive(Clone, Copy)]
+pub(super) struct Pace<T> {
+    pub(super) g: T,
+    pub(super) inverse_g: T,
+    pub(super) scale: T,
+    /// What every step multiplies √eʸ by and its inverse by, and adds to y.
+    pub(super) ratio: T,
+    pub(super) inverse_ratio: T,
+    pub(super) step: T,
+}
+
+impl<T: Real> Many<T> {
+    pub(super) const SIDES: [Side; 2] = {
+        let [below, above] = Rule::of::<T>().steps;
+        [Side { below: true, count: below + 1 }, Side { below: false, count: above }]
+    };
+
+    /// The largest term itself, and below it; or the first above it.
+    #[inline(always)]
+    pub(super) fn first(orders: &Orders<T>, side: Side) -> Self {
         let (one, half, rule) = (T::one(), T::lit(0.5), Rule::of::<T>());
-        let g = self.g.max(T::lit(rule.many));
-        let peak = self.peak;
+        let g = orders.g.max(T::lit(rule.many));
+        let peak = orders.peak;
         let root = (peak * half).exp();
         // −1 over the second derivative of the exponent is the square of the width.
         let width = one / (g.held().sqrt() * root * (one + peak + peak).sqrt());
         let step = width * T::lit(rule.step);
         // The mass of a step over 1/g: g m step/√(2π m) e^(−g φ − …).
-        let scale = (g * step * g.sqrt() * T::lit(FRAC_1_SQRT_TAU)).only_where(self.many);
-        let ratio = (step * half).exp();
-        let mut one_side = |ratio: T, step: T, skipped: u32, count: u32| {
-            let inverse_ratio = one / ratio;
-            let (mut up, mut down, mut y) = (root, one / root, peak);
-            for index in 0..=count {
-                if index >= skipped {
-                    let inverse = down * down / g;
-                    let exponent = -(g * phi(y, up * up) + stirling(inverse));
-                    visit(Order { inverse, factor: scale * up, exponent });
-                }
-                up = up * ratio;
-                down = down * inverse_ratio;
-                y = y + step;
-            }
-        };
-        let [below, above] = rule.steps;
-        one_side(one / ratio, -step, 0, below);
-        one_side(ratio, step, 1, above);
+        let scale = (g * step * g.sqrt() * T::lit(FRAC_1_SQRT_TAU)).only_where(orders.many);
+        let up = (step * half).exp();
+        let (down, inverse_g) = (one / up, one / g);
+        let at = [root, one / root, peak];
+        if side.below {
+            let pace = Pace { g, inverse_g, scale, ratio: down, inverse_ratio: up, step: -step };
+            Self { at, pace }
+        } else {
+            Self { at, pace: Pace { g, inverse_g, scale, ratio: up, inverse_ratio: down, step } }
+                .next()
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn order(&self) -> Order<T> {
+        let Self { at: [up, down, y], pace: Pace { g, inverse_g, scale, .. } } = *self;
+        let inverse = down * down * inverse_g;
+        let exponent = -(g * phi(y, up * up) + stirling(inverse));
+        Order { inverse, factor: scale * up, exponent }
+    }
+
+    #[inline(always)]
+    pub(super) fn next(self) -> Self {
+        let Self { at: [up, down, y], pace } = self;
+        Self { at: [up * pace.ratio, down * pace.inverse_ratio, y + pace.step], pace }
     }
 }
 
@@ -149,148 +245,33 @@ fn stirling<T: Real>(inverse: T) -> T {
 /// eʸ (y − 1) + 1 of y and eʸ.
 #[inline(always)]
 fn phi<T: Real>(y: T, power: T) -> T {
-    // Σ (k − 1) yᵏ/k! from k = 2 on.
-    const TERMS: [f64; 12] = [
-        1.0 / 2.0,
-        2.0 / 6.0,
-        3.0 / 24.0,
-        4.0 / 120.0,
-        5.0 / 720.0,
-        6.0 / 5040.0,
-        7.0 / 40320.0,
-        8.0 / 362_880.0,
-        9.0 / 3_628_800.0,
-        10.0 / 39_916_800.0,
-        11.0 / 479_001_600.0,
-        12.0 / 6_227_020_800.0,
-    ];
-    let (terms, end) = if T::SPACING < 1e-10 { (&TERMS[..], 0.3) } else { (&TERMS[..10], 0.8) };
-    let series = terms.iter().rev().fold(T::zero(), |sum, term| sum * y + T::lit(*term));
+    let (series, end) = if T::SPACING < 1e-10 {
+        (phi_series::<_, 12>(y), 0.3)
+    } else {
+        (phi_series::<_, 10>(y), 0.8)
+    };
     let near = y.abs().lt(T::lit(end));
     T::select(near, series * y.squared(), power * (y - T::one()) + T::one())
 }
 
-/// Σ gᵐ e^(−g)/(m! m) e^(−e/m), over g of few orders, times g of [many](Orders::are_many): what a surface scatters of a
-/// phase variance g in a direction with e = v_xy² τ²/4, but for a factor.
+/// `N` terms of Σ (k − 1) yᵏ⁻²/k! from k = 2 on.
 #[inline(always)]
-pub(super) fn scattered<T: Real>(orders: &Orders<T>, e: T) -> T {
+fn phi_series<T: Real, const N: usize>(y: T) -> T {
+    let terms = const { phi_terms::<N>() };
     let mut sum = T::zero();
-    orders.visit(|Order { inverse, factor, exponent }| {
-        sum = sum + factor * inverse * (exponent - e * inverse).exp();
-    });
+    for index in (0..N).rev() {
+        sum = sum * y + T::lit(terms[index]);
+    }
     sum
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{Orders, scattered};
-    use crate::real::Real;
-
-    /// g, e and the sum, by 40 digits.
-    #[rustfmt::skip]
-    const SUMS: [[f64; 3]; 78] = [
-        [1e-12, 0.0, 9.9999999999925e-13],
-        [1e-12, 0.1, 9.0483741803529254e-13],
-        [1e-12, 2.0, 1.3533528323656933e-13],
-        [1e-12, 12.0, 6.1442123539417536e-18],
-        [1e-3, 0.0, 0.00099925030546876902],
-        [1e-3, 0.1, 0.00090417065624416858],
-        [1e-3, 2.0, 0.00013529192203584682],
-        [1e-3, 12.0, 6.7581569146354075e-9],
-        [0.25, 0.0, 0.20757800281243345],
-        [0.25, 0.1, 0.18843338036958838],
-        [0.25, 2.0, 0.031193638212116428],
-        [0.25, 12.0, 4.5440699129228806e-5],
-        [1.0, 0.0, 0.48482910699568765],
-        [1.0, 0.1, 0.4445569713547588],
-        [1.0, 2.0, 0.09691908696705369],
-        [1.0, 12.0, 0.00086466144639931205],
-        [4.0, 0.0, 0.32358906727260325],
-        [4.0, 0.4, 0.26910828484499572],
-        [4.0, 8.0, 0.028436949671448242],
-        [4.0, 48.0, 4.1647209006650305e-5],
-        [9.0, 0.0, 0.12774196339646911],
-        [9.0, 0.9, 0.11120438724557905],
-        [9.0, 18.0, 0.013668492697964775],
-        [9.0, 108.0, 6.8563035887664216e-6],
-        [16.0, 0.0, 0.067021184070577105],
-        [16.0, 1.6, 0.059689699998295632],
-        [16.0, 32.0, 0.007982062169701438],
-        [16.0, 192.0, 2.0527029595246771e-6],
-        [23.5, 0.0, 0.044542076281232919],
-        [23.5, 2.35, 0.039911521185659533],
-        [23.5, 47.0, 0.0055297946158077172],
-        [23.5, 282.0, 9.7091206372704316e-7],
-        [24.5, 0.0, 0.042638419011690879],
-        [24.5, 2.45, 0.038223762538146467],
-        [24.5, 49.0, 0.0053124071194192876],
-        [24.5, 294.0, 8.9806719811719114e-7],
-        [30.0, 0.0, 0.034527121791989561],
-        [30.0, 3.0, 0.031012514529935244],
-        [30.0, 60.0, 0.0043682788561642646],
-        [30.0, 360.0, 6.2046359878093817e-7],
-        [40.0, 0.0, 0.025658862785975127],
-        [40.0, 4.0, 0.023093588378377963],
-        [40.0, 80.0, 0.003301877288989628],
-        [40.0, 480.0, 3.768879395058451e-7],
-        [55.5, 0.0, 0.018355048627813273],
-        [55.5, 5.550000000000001, 0.016546277551764596],
-        [55.5, 111.0, 0.002395664806991259],
-        [55.5, 666.0, 2.2189024758923585e-7],
-        [56.5, 0.0, 0.018024097127459863],
-        [56.5, 5.65, 0.016249086483802355],
-        [56.5, 113.0, 0.0023539875346525602],
-        [56.5, 678.0, 2.1581363535742163e-7],
-        [80.0, 0.0, 0.012660310554032884],
-        [80.0, 8.0, 0.011426402813732953],
-        [80.0, 160.0, 0.0016709143706323191],
-        [80.0, 960.0, 1.2841550458041287e-7],
-        [300.0, 0.0, 0.0033445192693037826],
-        [300.0, 30.0, 0.0030242575606648312],
-        [300.0, 600.0, 0.00044962065704422588],
-        [300.0, 3600.0, 2.3915374210563504e-8],
-        [5000.0, 0.0, 0.00020004001600960769],
-        [5000.0, 500.0, 0.0001809966278675616],
-        [5000.0, 10000.0, 2.7061644680723761e-5],
-        [5000.0, 60000.0, 1.2409046757328358e-9],
-        [1e5, 0.0, 1.000010000200006e-5],
-        [1e5, 10000.0, 9.0484470208333041e-6],
-        [1e5, 200000.0, 1.3533392990182575e-6],
-        [1e5, 1200000.0, 6.1472232619120345e-11],
-        [1e6, 0.0, 1.000001000002e-6],
-        [1e6, 100000.0, 9.0483814643114263e-7],
-        [1e6, 2000000.0, 1.353351479015099e-7],
-        [1e6, 12000000.0, 6.1445134221789104e-12],
-        [0.5, 300.0, 4.5785639615587416e-24],
-        [1.0, 2000.0, 7.8979795335578869e-62],
-        [20.0, 2000.0, 8.2267336904660981e-27],
-        [50.0, 9000.0, 4.3721445794965691e-50],
-        [60.0, 9000.0, 1.4626153564886885e-45],
-        [1000.0, 200000.0, 5.2076225070918705e-84],
-    ];
-
-    fn sum<T: Real + Into<f64>>(g: f64, e: f64) -> f64 {
-        let orders = Orders::new(T::lit(g), T::lit(e));
-        let series: f64 = scattered(&orders, T::lit(e)).into();
-        let many: f64 = T::select(orders.are_many(), T::one(), T::zero()).into();
-        if many > 0.0 { series / g } else { series * g }
+const fn phi_terms<const N: usize>() -> [f64; N] {
+    let (mut terms, mut index, mut factorial) = ([0.0; N], 0, 1.0);
+    while index < N {
+        let before = (index + 1) as f64;
+        factorial *= before + 1.0;
+        terms[index] = before / factorial;
+        index += 1;
     }
-
-    #[test]
-    fn sums_have_their_values() {
-        let mut worst = [0.0_f64; 2];
-        for [g, e, want] in SUMS {
-            let off = (sum::<f64>(g, e) / want - 1.0).abs();
-            worst[0] = worst[0].max(off);
-            assert!(off < 5e-14, "{g} {e}: {off:e}");
-            if want > 1e-30 {
-                // The exponents of single numbers have their own rounding.
-                let exponent = (want / g.min(1.0 / g)).ln().abs();
-                let off = (sum::<f32>(g, e) / want - 1.0).abs() / (1.0 + exponent);
-                worst[1] = worst[1].max(off);
-                assert!(off < 4e-7, "{g} {e}: {off:e}");
-            }
-        }
-        println!("{worst:?}");
-    }
+    terms
 }

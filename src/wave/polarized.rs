@@ -1,8 +1,9 @@
 //! What He's model does to polarised light.
 
 use super::he::He1991;
+use super::scattering::pair_above;
 use crate::bsdf::BsdfSample;
-use crate::direction::{Pair, above_or_normal, both_above};
+use crate::direction::{Pair, above_or_normal};
 use crate::fresnel::{Fresnel, PolarizedFresnel};
 use crate::microfacet::facet;
 use crate::polarization::{Complex, Mueller, Polarized};
@@ -69,9 +70,8 @@ impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> He1991<F, C, T> {
         wo: T::Vec3,
         amplitudes: Polarized<Complex<C>>,
     ) -> Mueller<C> {
-        let above = both_above::<T>(wi, wo);
-        let pair = Pair::<T>::where_above(above_or_normal(wi), above_or_normal(wo), above);
-        let diffuse = self.scattering.diffuse(&pair).only_where(above);
+        let pair = pair_above::<T>(wi, wo);
+        let diffuse = self.scattering.diffuse(&pair).only_where(pair.above);
         let mut matrix = times(facet(&pair, amplitudes), diffuse);
         matrix.rows[0][0] = self.scattering.eval(wi, wo);
         matrix

@@ -4,6 +4,7 @@ use core::f64::consts::{FRAC_1_PI, PI};
 
 use super::proposal::Proposal;
 use super::surface::Surface;
+use crate::block::{BLOCK, ColorBlock, PairBlock};
 use crate::bsdf::{BsdfSample, Lobes, Power, never};
 use crate::direction::{Pair, above_or_normal, above_surface, both_above, mirrored};
 use crate::fresnel::Fresnel;
@@ -75,10 +76,32 @@ macro_rules! of_scattering {
             fn power(&self, wo: T::Vec3) -> Power<C> {
                 self.scattering.power(wo)
             }
+
+            fn eval_block(
+                &self,
+                pairs: PairBlock<'_, T>,
+                _: TransportMode,
+                values: &mut ColorBlock<T, C>,
+            ) {
+                self.scattering.eval_block(pairs, values);
+            }
         }
     };
 }
 pub(super) use of_scattering;
+
+/// A pair of directions, or the normal in the place of what is none.
+#[inline(always)]
+pub(super) fn pair_above<T: Real>(wi: T::Vec3, wo: T::Vec3) -> Pair<T> {
+    let above = both_above::<T>(wi, wo);
+    Pair::where_above(above_or_normal(wi), above_or_normal(wo), above)
+}
+
+/// The same of a block.
+#[inline(always)]
+pub(super) fn pair_of<T: Real>(pairs: PairBlock<'_, T>, index: usize) -> Pair<T> {
+    pair_above(pairs.wi(index), pairs.wo(index))
+}
 
 /// A power of 2 not below the number of weights in [`Scattering::power`], so that their sum stays finite.
 const WEIGHTS: f64 = 8192.0;
@@ -95,9 +118,36 @@ struct Chances<T> {
 impl<T: Real, C: Color<T>, F: Fresnel<T, Color = C>> Scattering<F, C, T> {
     #[inline(always)]
     pub(super) fn eval(&self, wi: T::Vec3, wo: T::Vec3) -> C {
-        let above = both_above::<T>(wi, wo);
-        let pair = Pair::<T>::where_above(above_or_normal(wi), above_or_normal(wo), above);
-        (self.diffuse(&pair) + self.uniform).map(|f| f.min(T::max_finite())).only_where(above)
+        let pair = pair_above::<T>(wi, wo);
+        let value = self.diffuse(&pair) + self.uniform;
+        value.map(|f| f.min(T::max_finite())).only_where(pair.above)
+    }
+
+    /// [`eval`](Self::eval) for a block of pairs: the surface and the reflectance by turns, wavelength by
+    /// wavelength and order by order.
+    pub(super) fn eval_block(&self, pairs: PairBlock<'_, T>, values: &mut ColorBlock<T, C>) {
+        let mut diffuse = C::by_channel(|_| [T::zero(); BLOCK]);
+        self.surface.diffuse_block(pairs, diffuse.as_mut());
+        let mut cosines = [[T::zero(); BLOCK]];
+        pairs.numbers(
+            &mut cosines,
+            #[inline(always)]
+            |index| [pair_of(pairs, index).cos_d.at_most(T::one())],
+        );
+        self.fresnel.reflectance_block(pairs.of(cosines.each_ref()), values);
+        let parts = values.as_mut().iter_mut().zip(diffuse.as_ref());
+        for ((value, diffuse), uniform) in parts.zip(self.uniform.channels().as_ref()) {
+            pairs.changed(
+                core::array::from_mut(value),
+                &mut [],
+                #[inline(always)]
+                |index, [reflectance]| {
+                    let diffuse = (reflectance * diffuse[index]).min(T::max_finite());
+                    let value = (diffuse + *uniform).min(T::max_finite());
+                    ([value.only_where(pair_of(pairs, index).above)], [])
+                },
+            );
+        }
     }
 
     /// The diffuse part, which is not uniform.

@@ -4,7 +4,10 @@ use core::f64::consts::PI;
 
 use super::lambert_w::lambert_w;
 use super::masking::{Masked, Masking};
-use super::orders::{Orders, scattered};
+use super::orders::{Orders, are_many};
+use super::scattering::pair_of;
+use super::series::{scattered, scattered_block};
+use crate::block::{BLOCK, Block, PairBlock, Plane};
 use crate::direction::Pair;
 use crate::distribution::Beckmann;
 use crate::error::{ParameterError, range};
@@ -43,6 +46,33 @@ pub(super) struct Wave<T> {
     height: T,
     /// kτ.
     pub(super) length: T,
+}
+
+/// What a pair of directions has, whatever the wavelength is.
+#[derive(Clone, Copy, Debug)]
+struct View<T> {
+    /// The product of both S₁/cosθ.
+    visible: T,
+    /// σ of what is seen.
+    sigma: T,
+    /// v̂_z, of v̂ = wi + wo.
+    cosines: T,
+    /// v̂_x² + v̂_y².
+    across: T,
+    /// |v̂|⁴/(16 π).
+    whole: T,
+}
+
+impl<T: Real> View<T> {
+    /// One of a block.
+    #[inline(always)]
+    fn of(Block { planes, .. }: Block<'_, T, 5>, index: usize) -> Self {
+        let [visible, sigma, cosines, across, whole] = planes.map(
+            #[inline(always)]
+            |plane| plane[index],
+        );
+        Self { visible, sigma, cosines, across, whole }
+    }
 }
 
 impl<T: Real, C: Color<T>> Surface<C, T> {
@@ -107,10 +137,65 @@ impl<T: Real, C: Color<T>> Surface<C, T> {
     /// The value of the diffuse part where everything is reflected.
     #[inline(always)]
     pub(super) fn diffuse(&self, pair: &Pair<T>) -> C {
-        let [light, viewer] = [pair.wi, pair.wo].map(|w| self.masked(w));
-        let visible = (light.visible * viewer.visible).min(T::max_finite());
-        let sigma = self.seen(light.hidden + viewer.hidden);
-        self.wavelength.map(|wavelength| self.wave(sigma, wavelength).diffuse(pair, visible))
+        let view = self.view(pair);
+        self.wavelength.map(|wavelength| self.wave(view.sigma, wavelength).diffuse(&view))
+    }
+
+    /// What of a pair of directions all wavelengths have in common.
+    #[inline(always)]
+    fn view(&self, pair: &Pair<T>) -> View<T> {
+        let (light, viewer) = (self.masked(pair.wi), self.masked(pair.wo));
+        let sum = pair.sum;
+        View {
+            visible: (light.visible * viewer.visible).min(T::max_finite()),
+            sigma: self.seen(light.hidden + viewer.hidden),
+            cosines: sum.z(),
+            across: sum.x().squared() + sum.y().squared(),
+            // |v̂| = 2 cosθ_d.
+            whole: pair.cos_d.squared().squared() * T::lit(1.0 / PI),
+        }
+    }
+
+    /// [`diffuse`](Self::diffuse) for a block of pairs, channel by channel.
+    pub(super) fn diffuse_block(&self, pairs: PairBlock<'_, T>, values: &mut [Plane<T>]) {
+        let mut views = [[T::zero(); BLOCK]; 5];
+        pairs.numbers(
+            &mut views,
+            #[inline(always)]
+            |index| {
+                let View { visible, sigma, cosines, across, whole } =
+                    self.view(&pair_of(pairs, index));
+                [visible, sigma, cosines, across, whole]
+            },
+        );
+        let views = pairs.of(views.each_ref());
+        for (value, wavelength) in values.iter_mut().zip(self.wavelength.channels().as_ref()) {
+            self.channel_block(views, *wavelength, value);
+        }
+    }
+
+    #[inline(never)]
+    fn channel_block(&self, views: Block<'_, T, 5>, wavelength: T, values: &mut Plane<T>) {
+        let mut exponents = [[T::zero(); BLOCK]; 2];
+        views.numbers(
+            &mut exponents,
+            #[inline(always)]
+            |index| {
+                let view = View::of(views, index);
+                let wave = self.wave(view.sigma, wavelength);
+                [wave.phase_variance(view.cosines), wave.spread(view.across)]
+            },
+        );
+        let mut series = [T::zero(); BLOCK];
+        scattered_block(views.of(exponents.each_ref()), &mut series);
+        views.numbers(
+            core::array::from_mut(values),
+            #[inline(always)]
+            |index| {
+                let view = View::of(views, index);
+                [self.wave(view.sigma, wavelength).value(&view, exponents[0][index], series[index])]
+            },
+        );
     }
 
     /// e^(−g) S of the mirror direction of a direction above the surface.
@@ -161,31 +246,32 @@ impl<T: Real> Wave<T> {
         (self.height * cosines).squared()
     }
 
-    /// v_xy² τ²/4 of the sum of both directions.
+    /// v_xy² τ²/4 of the squared length of (wi + wo)_xy.
     #[inline(always)]
-    pub(super) fn spread<V: Vector<T>>(&self, sum: V) -> T {
-        self.length.squared() * (sum.x().squared() + sum.y().squared()) * T::lit(0.25)
+    fn spread(&self, across: T) -> T {
+        self.length.squared() * across * T::lit(0.25)
     }
 
-    /// The value of the diffuse part where everything is reflected and `visible` is the product of both
-    /// S₁/cosθ:
+    /// The value of the diffuse part where everything is reflected:
     ///
     /// ```text
     /// f = S/(cosθᵢ cosθₒ) · τ² k² |v̂|⁴/(16 π v̂_z²) Σ gᵐ e^(−g)/(m! m) e^(−v_xy² τ²/(4m))   v̂ = wi + wo
     /// ```
     #[inline(always)]
-    fn diffuse(&self, pair: &Pair<T>, visible: T) -> T {
-        let sum = pair.sum;
-        let (cosines, spread) = (sum.z(), self.spread(sum));
-        let orders = Orders::new(self.phase_variance(cosines), spread);
-        let series = scattered(&orders, spread);
-        // |v̂| = 2 cosθ_d; and g is (kσ v̂_z)².
-        let whole = pair.cos_d.squared().squared() * T::lit(1.0 / PI);
+    fn diffuse(&self, view: &View<T>) -> T {
+        let (g, spread) = (self.phase_variance(view.cosines), self.spread(view.across));
+        self.value(view, g, scattered(&Orders::new(g, spread), spread))
+    }
+
+    /// The value from g and the sum over the orders.
+    #[inline(always)]
+    fn value(&self, view: &View<T>, g: T, series: T) -> T {
+        // g is (kσ v̂_z)².
         let few = (self.length * self.height).squared();
-        let rise = (self.height * cosines.squared()).max(T::lit(1e-15));
+        let rise = (self.height * view.cosines.squared()).max(T::lit(1e-15));
         let many = (self.length / rise).squared();
-        let scale = T::select(orders.are_many(), many, few).min(T::max_finite());
-        let value = (whole * series * scale).min(T::max_finite()) * visible;
+        let scale = T::select(are_many(g), many, few).min(T::max_finite());
+        let value = (view.whole * series * scale).min(T::max_finite()) * view.visible;
         value.min(T::max_finite())
     }
 }
