@@ -110,8 +110,7 @@ fn every_form_of_the_descriptions_has_a_line() {
     ];
     let written = written();
     let missing: Vec<_> = forms.iter().flatten().filter(|form| !written.contains(*form)).collect();
-    // A conductor of the feature `materials`, by name.
-    assert_eq!(missing, ["metal"]);
+    assert!(missing.is_empty(), "{missing:?}");
 }
 
 /// What a key switches on and off is there both ways.
