@@ -41,7 +41,7 @@ use crate::real::{Color, Lift, Real, lift};
 ///
 /// # Accuracy
 /// The series is summed around its largest term by a number of terms that does not grow with g: to 5·10⁻¹⁴
-/// relative in `f64`, 4·10⁻⁷ (1 + x) in `f32`, where the sum is e⁻ˣ times that in the mirror direction;
+/// relative in `f64`, 10⁻⁶ (1 + x) in `f32`, where the sum is e⁻ˣ times that in the mirror direction;
 /// measured for g of 10⁻¹² to 10⁶.
 ///
 /// # Sampling
