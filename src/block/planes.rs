@@ -2,8 +2,10 @@
 //!
 //! Batches run block by block, by loops of a fixed length that the compiler turns into SIMD code.
 
+use core::cell::Cell;
+
 use super::instruction_set::InstructionSet;
-use crate::real::{Color, Real, Vector};
+use crate::real::{Color, Mask, Real, Vector};
 
 /// The number of elements in a block.
 pub const BLOCK: usize = 128;
@@ -54,6 +56,33 @@ impl<'a, T: Real, const N: usize> Block<'a, T, N> {
             #[inline(always)]
             |index| (formula(index), []),
         );
+    }
+
+    /// [`colors`](Self::colors) of a formula that also tells where it does not hold. The answer is
+    /// whether it is known to hold at all places.
+    #[inline(always)]
+    pub(crate) fn colors_unless<C: Color<T>>(
+        &self,
+        colors: &mut ColorBlock<T, C>,
+        formula: impl Fn(usize) -> (C, T::Mask),
+    ) -> bool {
+        self.within(
+            #[inline(always)]
+            || {
+                let fails = Cell::new(T::zero().lt(T::zero()));
+                C::fill(
+                    colors,
+                    &mut [],
+                    #[inline(always)]
+                    |index| {
+                        let (color, fails_here) = formula(index);
+                        fails.set(fails.get().or(fails_here));
+                        (color, [])
+                    },
+                );
+                fails.get().is_never()
+            },
+        )
     }
 
     /// Fills colours, and planes beside them, with what a formula answers for the places of the block.

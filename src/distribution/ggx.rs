@@ -4,7 +4,7 @@ use super::traits::{Distribution, Smith};
 use crate::direction::above_or_normal;
 use crate::error::ParameterError;
 use crate::parameter::model;
-use crate::real::{Real, Vector};
+use crate::real::{Mask, Real, Vector};
 use crate::sampling::uniform;
 
 model! {
@@ -81,12 +81,10 @@ impl<T: Real> Distribution<T> for Ggx<T> {
         // rounding of it.
         let length_squared = m.x().squared() + m.y().squared() + cos_squared;
         let sum = self.roughness.sin_over_alpha_squared(m) + cos_squared;
-        // No roughness is above 10⁴: the floor counts only where squares underflow. The bound keeps very
-        // long vectors from dividing infinity by infinity.
-        let (floor, bound) = (length_squared * T::lit(1e-9), T::max_finite());
-        let quotient = length_squared.min(bound) / sum.max(floor);
-        let density = (self.roughness.inverse_area() * quotient.squared()).min(bound);
-        density.only_where(m.z().gt(T::zero()))
+        let quotient = length_squared / sum;
+        let density = self.roughness.inverse_area() * quotient.squared();
+        // Not a number where squares underflow or overflow, as those of no direction do.
+        density.min(T::max_finite()).only_where(m.z().gt(T::zero()))
     }
 
     #[inline(always)]
@@ -130,7 +128,9 @@ impl<T: Real> Smith<T> for Ggx<T> {
     #[inline(always)]
     fn sample_visible_along(&self, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
         let ([turn, u], one) = (uniform(u), T::one());
-        let s = Vector::normalize_or_normal(self.roughness.stretch_along(wo));
+        // No roughness is below 10⁻⁸: a stretched direction has a length.
+        let stretched = self.roughness.stretch_along(wo);
+        let s = stretched * (one / Vector::length_squared(stretched).sqrt());
         // The cap is 1 + s_z high. Both 1 − z and 1 + z of its uniform point are sums of positive
         // terms, so that 1 − z² keeps its digits near the poles.
         let height = one + s.z();

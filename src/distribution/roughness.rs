@@ -53,13 +53,13 @@ impl<T: Real> Roughness<T> {
     /// (h_x/α_x)² + (h_y/α_y)²: sin²θ_h over the squared roughness in the plane of `h`.
     #[inline(always)]
     pub(super) fn sin_over_alpha_squared(&self, h: T::Vec3) -> T {
-        (h.x() * self.inverse[0]).squared() + (h.y() * self.inverse[1]).squared()
+        h.x().squared() * self.inverse[0].squared() + h.y().squared() * self.inverse[1].squared()
     }
 
     /// (α_x w_x)² + (α_y w_y)²: sin²θ times the squared roughness in the plane of `w`.
     #[inline(always)]
     pub(super) fn alpha_sin_squared(&self, w: T::Vec3) -> T {
-        (w.x() * self.along[0]).squared() + (w.y() * self.along[1]).squared()
+        w.x().squared() * self.along[0].squared() + w.y().squared() * self.along[1].squared()
     }
 
     /// A vector along the direction as it is seen after the surface has been stretched to roughness 1.

@@ -1,10 +1,11 @@
 use core::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
-use super::term::{Fresnel, incident_cosine};
+use super::term::{Fresnel, incident_cosine, scaled};
+use crate::block::{Block, ColorBlock, CosineBlock};
 use crate::parameter::model;
 use crate::polarization::Polarized;
 use crate::quadrature::integrate;
-use crate::real::{Color, Real};
+use crate::real::{Color, Mask, Real, in_place};
 
 model! {
     /// Fresnel's reflectance of a conductor or any absorbing medium, exact, seen from a transparent
@@ -65,6 +66,28 @@ model! {
     pub fn new;
 }
 
+impl<C> Conductor<C> {
+    /// Whether k is known to be above n in every channel.
+    #[inline(always)]
+    fn is_metallic<T: Real>(&self) -> bool
+    where
+        C: Color<T>,
+    {
+        let absorbs = |eta: T, k: T| (eta - k) * (eta + k);
+        let real_parts = self.eta.zip(self.k, absorbs);
+        real_parts.fold(true, |all, real_part| all && real_part.ge(T::zero()).is_never())
+    }
+
+    /// The reflectance of a medium that [is metallic](Self::is_metallic) at a cosine in 0 … 1.
+    #[inline(always)]
+    fn of_metal<T: Real>(&self, cos: T) -> C
+    where
+        C: Color<T>,
+    {
+        self.eta.zip(self.k, |eta, k| Refraction::into_metal(eta, k, cos).unpolarized())
+    }
+}
+
 impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {
     type Color = C;
 
@@ -72,6 +95,55 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {
     fn reflectance(&self, cos_theta: T) -> C {
         let cos = incident_cosine(cos_theta);
         self.eta.zip(self.k, |eta, k| Refraction::new(eta, k, cos).unpolarized())
+    }
+
+    fn reflectance_block(&self, cosines: CosineBlock<'_, T>, values: &mut ColorBlock<T, C>) {
+        if self.is_metallic() {
+            cosines.colors(
+                values,
+                #[inline(always)]
+                |index| self.of_metal(incident_cosine(cosines.cos(index))),
+            );
+        } else {
+            cosines.colors(
+                values,
+                #[inline(always)]
+                |index| self.reflectance(cosines.cos(index)),
+            );
+        }
+    }
+
+    #[inline(always)]
+    fn reflected(&self, cos: T, scale: T) -> C {
+        in_place!(
+            T,
+            #[inline(always)]
+            || {
+                if self.is_metallic() {
+                    scaled(self.of_metal(cos), scale)
+                } else {
+                    scaled(self.reflectance(cos), scale)
+                }
+            },
+        )
+    }
+
+    #[inline(never)]
+    fn reflected_block(&self, mirrored: Block<'_, T, 2>, values: &mut ColorBlock<T, C>) {
+        let [cos, scale] = mirrored.planes;
+        if self.is_metallic() {
+            mirrored.colors(
+                values,
+                #[inline(always)]
+                |index| scaled(self.of_metal(cos[index]), scale[index]),
+            );
+        } else {
+            mirrored.colors(
+                values,
+                #[inline(always)]
+                |index| scaled(self.reflectance(cos[index]), scale[index]),
+            );
+        }
     }
 
     fn average(&self) -> C {
@@ -121,26 +193,41 @@ impl<T: Real> Refraction<T> {
     #[inline(always)]
     pub(super) fn new(eta: T, k: T, cos: T) -> Self {
         let one = T::one();
-        let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
 
         // Real parts of N² − 1 and of q² = N² − s², by whichever of two equal forms cancels less:
         // around N = 1 that is counted from N² − 1, around 0 from N².
         let squared = (eta - k) * (eta + k);
         let large = squared.ge(T::lit(0.5));
         let contrast = T::select(large, (eta - one) * (eta + one) - k * k, squared - one);
-        let x = T::select(large, contrast + cos_squared, squared - sin_squared);
+        let sin_squared = (one - cos) * (one + cos);
+        let x = T::select(large, contrast + cos * cos, squared - sin_squared);
+        Self::of([eta, k], cos, contrast, x, x.ge(T::zero()))
+    }
+
+    /// The same for a real part of N² below 0, where there is nothing to choose.
+    #[inline(always)]
+    fn into_metal(eta: T, k: T, cos: T) -> Self {
+        let one = T::one();
+        let squared = (eta - k) * (eta + k);
+        let x = squared - (one - cos) * (one + cos);
+        Self::of([eta, k], cos, squared - one, x, T::zero().lt(T::zero()))
+    }
+
+    /// From the real parts of N² − 1 and of q² and where the latter is not negative.
+    #[inline(always)]
+    fn of([eta, k]: [T; 2], cos: T, contrast: T, x: T, propagates: T::Mask) -> Self {
+        let one = T::one();
         let product = T::lit(2.0) * eta * k;
         let y_squared = product.squared();
 
         // The floor stands where q = 0, at a critical angle; it is below the rounding of x² there.
         let modulus_squared = (x * x + y_squared.max(T::lit(1e-37))).sqrt();
-        let propagates = x.ge(T::zero());
         // Chosen and not |x|, so that both sides of 0 have their slopes.
         let magnitude = T::select(propagates, x, -x);
         Self {
             cos,
-            cos_squared,
-            sin_squared,
+            cos_squared: cos * cos,
+            sin_squared: (one - cos) * (one + cos),
             modulus_squared,
             larger: (modulus_squared + magnitude).sqrt(),
             product,

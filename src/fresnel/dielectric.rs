@@ -1,8 +1,9 @@
-use super::term::Fresnel;
+use super::term::{Fresnel, scaled};
+use crate::block::{Block, ColorBlock, CosineBlock};
 use crate::parameter::model;
 use crate::polarization::Polarized;
 use crate::quadrature::integrate;
-use crate::real::{Color, Real};
+use crate::real::{Color, Mask, Real, in_place};
 
 model! {
     /// Fresnel's reflectance of a transparent medium, exact, from either side.
@@ -58,12 +59,83 @@ model! {
     pub fn new;
 }
 
+impl<C> Dielectric<C> {
+    /// Whether the medium is known to be the denser one in every channel.
+    fn is_denser<T: Real>(&self) -> bool
+    where
+        C: Color<T>,
+    {
+        self.ior.fold(true, |denser, ior| denser && ior.le(T::one()).is_never())
+    }
+
+    /// The reflectance of a medium that [is denser](Self::is_denser) at a cosine in 0 … 1.
+    #[inline(always)]
+    fn of_denser<T: Real>(&self, cos: T) -> C
+    where
+        C: Color<T>,
+    {
+        self.ior.map(|ior| Interface::into_denser(ior, cos).unpolarized())
+    }
+}
+
 impl<T: Real, C: Color<T>> Fresnel<T> for Dielectric<C> {
     type Color = C;
 
     #[inline(always)]
     fn reflectance(&self, cos_theta: T) -> C {
         self.ior.map(|ior| Interface::new(ior, cos_theta).unpolarized())
+    }
+
+    /// A block without light from the other side has nothing to choose. One that turns out to have
+    /// some is computed again.
+    fn reflectance_block(&self, cosines: CosineBlock<'_, T>, values: &mut ColorBlock<T, C>) {
+        let (zero, one) = (T::zero(), T::one());
+        let done = self.is_denser()
+            && cosines.colors_unless(
+                values,
+                #[inline(always)]
+                |index| {
+                    let cos = cosines.cos(index);
+                    (self.of_denser(cos.at_most(one)), cos.lt(zero))
+                },
+            );
+        if !done {
+            cosines.colors(
+                values,
+                #[inline(always)]
+                |index| self.reflectance(cosines.cos(index)),
+            );
+        }
+    }
+
+    #[inline(always)]
+    fn reflected(&self, cos: T, scale: T) -> C {
+        in_place!(
+            T,
+            #[inline(always)]
+            || {
+                let above = self.ior.map(|ior| Interface::from_above(ior, cos).unpolarized());
+                scaled(above, scale)
+            },
+        )
+    }
+
+    #[inline(never)]
+    fn reflected_block(&self, mirrored: Block<'_, T, 2>, values: &mut ColorBlock<T, C>) {
+        let [cos, scale] = mirrored.planes;
+        if self.is_denser() {
+            mirrored.colors(
+                values,
+                #[inline(always)]
+                |index| scaled(self.of_denser(cos[index]), scale[index]),
+            );
+        } else {
+            mirrored.colors(
+                values,
+                #[inline(always)]
+                |index| self.reflected(cos[index], scale[index]),
+            );
+        }
     }
 
     /// The average for light on the side of the normal, to the last digits for every index.
@@ -122,14 +194,43 @@ impl<T: Real> Interface<T> {
     fn new(ior: T, cos_theta: T) -> Self {
         let (zero, one) = (T::zero(), T::one());
         let from_below = cos_theta.lt(zero);
-        let cos = cos_theta.abs().at_most(one);
-        let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
-
         // What depends on the index alone is chosen, not computed, for each side.
         let (squared, contrast) = (ior * ior, (ior - one) * (ior + one));
         let inverse = one / squared;
         let eta_squared = T::select(from_below, inverse, squared);
         let difference = T::select(from_below, -contrast * inverse, contrast);
+        Self::of(difference, eta_squared, cos_theta.abs().at_most(one))
+    }
+
+    /// The same for light on the side of the normal, at a cosine in 0 … 1.
+    #[inline(always)]
+    fn from_above(ior: T, cos: T) -> Self {
+        let one = T::one();
+        Self::of((ior - one) * (ior + one), ior * ior, cos)
+    }
+
+    /// The same for an index above 1: never total, and nothing vanishes.
+    #[inline(always)]
+    fn into_denser(ior: T, cos: T) -> Self {
+        let one = T::one();
+        let difference = (ior - one) * (ior + one);
+        let q_squared = difference + cos * cos;
+        let cosines = cos * q_squared.sqrt();
+        Self {
+            difference,
+            eta_squared: ior * ior,
+            sum_squared: q_squared + (cos * cos + (cosines + cosines)),
+            cosines,
+            sines: (one - cos) * (one + cos),
+            total: q_squared.lt(T::zero()),
+        }
+    }
+
+    /// From η² − 1, η² and a cosine in 0 … 1.
+    #[inline(always)]
+    fn of(difference: T, eta_squared: T, cos: T) -> Self {
+        let (zero, one) = (T::zero(), T::one());
+        let (cos_squared, sin_squared) = (cos * cos, (one - cos) * (one + cos));
 
         // q², by whichever of the two equal forms cancels less towards the critical angle.
         let q_squared = T::select(

@@ -69,18 +69,15 @@ pub trait Fresnel<T: Real = f32>: Send + Sync {
         );
     }
 
-    /// The reflectance times all else that a facet's reflection consists of. A Fresnel term that
-    /// contains the light exceeds 1.
+    /// The reflectance at a cosine in 0 … 1 times all else that a facet's reflection consists of. A
+    /// Fresnel term that contains the light exceeds 1.
     #[doc(hidden)]
     #[inline(always)]
     fn reflected(&self, cos: T, scale: T) -> Self::Color {
         in_place!(
             T,
             #[inline(always)]
-            || {
-                let value = self.reflectance(cos) * scale;
-                value.map(|value| value.min(T::max_finite()))
-            },
+            || scaled(self.reflectance(cos), scale),
         )
     }
 
@@ -153,6 +150,12 @@ macro_rules! forward {
 forward!(Arc<F>);
 forward!(Box<F>);
 forward!(&F);
+
+/// A reflectance times all else that a facet's reflection consists of.
+#[inline(always)]
+pub(super) fn scaled<T: Real, C: Color<T>>(reflectance: C, scale: T) -> C {
+    (reflectance * scale).map(|value| value.min(T::max_finite()))
+}
 
 /// 2 ∫₀¹ F(μ) μ dμ by quadrature over √μ.
 #[inline(always)]

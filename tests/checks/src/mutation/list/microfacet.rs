@@ -4,8 +4,7 @@ use std::f64::consts::{LN_2, PI, SQRT_2};
 
 use super::super::mutant::{LEFT, MINUS, Mutant, ONE, PLUS, RIGHT};
 use crate::faulty::Operation::{
-    Add, AngleSquared, Div, Literal, Max, Min, Mul, Neg, Normalize, SinCosTurns, Sqrt, Squared,
-    Sub, X,
+    Add, AngleSquared, Div, Literal, Max, Min, Mul, Neg, SinCosTurns, Sqrt, Squared, Sub, X,
 };
 
 const BECKMANN: &str = "src/distribution/beckmann.rs";
@@ -48,7 +47,7 @@ pub(super) static MUTANTS: [Mutant; 39] = [
     Mutant::new("GGX", "power 1 for 2", GGX,
         "quotient.▸squared()", Squared, LEFT),
     Mutant::new("GGX", "the axes of an anisotropic surface exchanged", ROUGHNESS,
-        "(h.▸x() * self.inverse[0]).squared()", X, LEFT),
+        "h.▸x().squared() * self.inverse[0].squared()", X, LEFT),
     Mutant::new("GGX", "sign of the root in Λ", GGX,
         "let sum = ▸((cos.squared() + alpha_sin_squared).sqrt() + cos)", Add, MINUS),
     Mutant::new("GGX", "visible normals: the cap without its root", GGX,
@@ -56,7 +55,7 @@ pub(super) static MUTANTS: [Mutant; 39] = [
     Mutant::new("GGX", "visible normals in one half of the azimuths: π for 2π", GGX,
         "let sin = (below_top * (above_rim + one_minus_s_z)).sqrt();\n        let (sin_phi, cos_phi) = turn.▸sin_cos_turns();", SinCosTurns, |turns, _, _| 0.5 * turns),
     Mutant::new("GGX", "stretched viewer not normalised", GGX,
-        "let s = ▸Vector::normalize_or_normal(self.roughness.stretch_along(wo));", Normalize, LEFT),
+        "Vector::length_squared(stretched).▸sqrt()", Sqrt, ONE),
     Mutant::new("Gaussian", "the constant 1/(π m²), right for small m only: sin 2α/(2α) taken for 1", TILTS,
         "first = ▸T::lit(SINE[k])", Literal, |coefficient, _, _| f64::from(u8::from(coefficient == 1.0))),
     Mutant::new("Gaussian", "constant without 1/π", GAUSSIAN,
