@@ -1,7 +1,7 @@
 //! Roughness along the tangent and the bitangent, and what distributions of stretched slopes make
 //! of it.
 
-use core::f64::consts::PI;
+use core::f64::consts::{FRAC_1_PI, PI};
 
 use crate::error::{ParameterError, range};
 use crate::real::{Real, Vector, lift};
@@ -11,13 +11,16 @@ use crate::real::{Real, Vector, lift};
 pub(super) struct Roughness<T> {
     along: [T; 2],
     inverse: [T; 2],
+    /// α²/π and 1/α².
+    squared_over_pi: [T; 2],
+    inverse_squared: [T; 2],
     /// 1/(π α_x α_y), one over the area of the ellipse with these half axes.
     inverse_area: T,
 }
 
 lift! {
     [T: Real] Roughness<T> => Roughness<U>:
-    Roughness { along: numbers, inverse: numbers, inverse_area: number }
+    Roughness { along: numbers, inverse: numbers, squared_over_pi: numbers, inverse_squared: numbers, inverse_area: number }
 }
 
 impl<T: Copy> Roughness<T> {
@@ -41,7 +44,15 @@ impl<T: Real> Roughness<T> {
     fn of(along: [T; 2]) -> Self {
         let one = T::one();
         let inverse = [one / along[0], one / along[1]];
-        Self { along, inverse, inverse_area: one / (T::lit(PI) * along[0] * along[1]) }
+        let inverse_squared = along.map(|along| one / along.squared());
+        let squared_over_pi = along.map(|along| along.squared() * T::lit(FRAC_1_PI));
+        Self {
+            along,
+            inverse,
+            squared_over_pi,
+            inverse_squared,
+            inverse_area: one / (T::lit(PI) * along[0] * along[1]),
+        }
     }
 
     /// 1/(π α_x α_y): the density of slopes at slope 0.
@@ -54,6 +65,18 @@ impl<T: Real> Roughness<T> {
     #[inline(always)]
     pub(super) fn sin_over_alpha_squared(&self, h: T::Vec3) -> T {
         (h.x() * self.inverse[0]).squared() + (h.y() * self.inverse[1]).squared()
+    }
+
+    /// The same of the squares of components, which models need for other things too.
+    #[inline(always)]
+    pub(super) fn of_squares_over_alpha_squared(&self, [x, y]: [T; 2]) -> T {
+        x * self.inverse_squared[0] + y * self.inverse_squared[1]
+    }
+
+    /// ((α_x w_x)² + (α_y w_y)²)/π of the squares of components.
+    #[inline(always)]
+    pub(super) fn of_squares_times_alpha_squared_over_pi(&self, [x, y]: [T; 2]) -> T {
+        x * self.squared_over_pi[0] + y * self.squared_over_pi[1]
     }
 
     /// (α_x w_x)² + (α_y w_y)²: sin²θ times the squared roughness in the plane of `w`.

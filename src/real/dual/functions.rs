@@ -109,6 +109,20 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         self.chain_two(exponent, y, [slope, y * base.ln()])
     }
     #[inline]
+    fn decay(self, factor: Self) -> Self {
+        let (value, by) = (self.value.decay(factor.value), factor.value);
+        let some = by.gt(T::zero());
+        self.chain_two(factor, value, [-value, value / T::select(some, by, T::one())])
+    }
+    #[inline]
+    fn mean_magnitude(self, square_at_zero: Self) -> Self {
+        let (z, q) = (self.value, square_at_zero.value);
+        let inverse = q.rsqrt();
+        let nu = z * inverse * T::lit(0.5 * FRAC_2_SQRT_PI);
+        let by_square = T::lit(0.5) * (-nu.squared()).exp() * inverse;
+        self.chain_two(square_at_zero, z.mean_magnitude(q), [nu.erf(), by_square])
+    }
+    #[inline]
     fn power_of_part(self, rest: Self, exponent: Self) -> Self {
         let (x, r, n) = (self.value, rest.value, exponent.value);
         let (zero, one, whole) = (T::zero(), T::one(), x + r);
