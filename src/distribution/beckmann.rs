@@ -85,12 +85,12 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
         let (sin_squared, cos_squared) = (squares[0] + squares[1], m.z().squared());
         let above = m.z().gt(zero).and(sin_squared.lt(cos_squared * T::lit(1e16)));
         let inverse = one / T::select(above, cos_squared, one);
-        let exponent = self.roughness.of_squares_over_alpha_squared(squares) * inverse;
+        let octaves = self.roughness.octaves_of_squares(squares) * inverse;
         let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e16));
         let inverse_area = self.roughness.inverse_area();
         // Too large for a number only where the exponential is zero.
         let peak = (inverse_cos_squared.squared() * inverse_area).min(T::max_finite());
-        exponent.decay(peak).only_where(above)
+        octaves.decay(peak).only_where(above)
     }
 
     #[inline(always)]
@@ -118,7 +118,7 @@ impl<T: Real> Smith<T> for Beckmann<T> {
     #[inline(always)]
     fn projected_area(&self, w: T::Vec3) -> T {
         let squares = [w.x().squared(), w.y().squared()];
-        let grazing_squared = self.roughness.of_squares_times_alpha_squared_over_pi(squares);
+        let grazing_squared = self.roughness.grazing_squared_of_squares(squares);
         // Bounds as above, and what π times is still finite.
         let grazing_squared = grazing_squared.clamp(T::lit(1e-36), T::max_finite() * T::lit(0.25));
         w.z().max(T::zero()).mean_magnitude(grazing_squared)

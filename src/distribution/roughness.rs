@@ -1,7 +1,7 @@
 //! Roughness along the tangent and the bitangent, and what distributions of stretched slopes make
 //! of it.
 
-use core::f64::consts::{FRAC_1_PI, PI};
+use core::f64::consts::{FRAC_1_PI, LOG2_E, PI};
 
 use crate::error::{ParameterError, range};
 use crate::real::{Real, Vector, lift};
@@ -11,16 +11,17 @@ use crate::real::{Real, Vector, lift};
 pub(super) struct Roughness<T> {
     along: [T; 2],
     inverse: [T; 2],
-    /// α²/π and 1/α².
+    /// α²/π.
     squared_over_pi: [T; 2],
-    inverse_squared: [T; 2],
+    /// log₂e/α².
+    octaves: [T; 2],
     /// 1/(π α_x α_y), one over the area of the ellipse with these half axes.
     inverse_area: T,
 }
 
 lift! {
     [T: Real] Roughness<T> => Roughness<U>:
-    Roughness { along: numbers, inverse: numbers, squared_over_pi: numbers, inverse_squared: numbers, inverse_area: number }
+    Roughness { along: numbers, inverse: numbers, squared_over_pi: numbers, octaves: numbers, inverse_area: number }
 }
 
 impl<T: Copy> Roughness<T> {
@@ -44,13 +45,13 @@ impl<T: Real> Roughness<T> {
     fn of(along: [T; 2]) -> Self {
         let one = T::one();
         let inverse = [one / along[0], one / along[1]];
-        let inverse_squared = along.map(|along| one / along.squared());
+        let octaves = along.map(|along| T::lit(LOG2_E) / along.squared());
         let squared_over_pi = along.map(|along| along.squared() * T::lit(FRAC_1_PI));
         Self {
             along,
             inverse,
             squared_over_pi,
-            inverse_squared,
+            octaves,
             inverse_area: one / (T::lit(PI) * along[0] * along[1]),
         }
     }
@@ -67,15 +68,16 @@ impl<T: Real> Roughness<T> {
         (h.x() * self.inverse[0]).squared() + (h.y() * self.inverse[1]).squared()
     }
 
-    /// The same of the squares of components, which models need for other things too.
+    /// ((h_x/α_x)² + (h_y/α_y)²) log₂e of the squares of components, which a density needs for other
+    /// things too.
     #[inline(always)]
-    pub(super) fn of_squares_over_alpha_squared(&self, [x, y]: [T; 2]) -> T {
-        x * self.inverse_squared[0] + y * self.inverse_squared[1]
+    pub(super) fn octaves_of_squares(&self, [x, y]: [T; 2]) -> T {
+        x * self.octaves[0] + y * self.octaves[1]
     }
 
     /// ((α_x w_x)² + (α_y w_y)²)/π of the squares of components.
     #[inline(always)]
-    pub(super) fn of_squares_times_alpha_squared_over_pi(&self, [x, y]: [T; 2]) -> T {
+    pub(super) fn grazing_squared_of_squares(&self, [x, y]: [T; 2]) -> T {
         x * self.squared_over_pi[0] + y * self.squared_over_pi[1]
     }
 

@@ -109,4 +109,4 @@ macro_rules! float {
 }
 
 float!(f32, glam::Vec3, single, [erfcx ierfc], [decay mean_magnitude]);
-float!(f64, glam::DVec3, double, [], []);
+float!(f64, glam::DVec3, double, [], [decay]);

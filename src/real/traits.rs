@@ -2,7 +2,7 @@
 //!
 //! They stand in one file because they refer to each other: a number names the vector made of it.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{LN_2, TAU};
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -225,14 +225,14 @@ pub trait Real:
     /// eˣ.
     #[must_use]
     fn exp(self) -> Self;
-    /// e⁻ˣ times a `factor` of 0 … 10²⁴, for `self` = x ≥ 0: densities. Of x that is no number it is 0.
-    /// In `f32` it is 0 below 2⁻¹¹⁹, and what is left has all its digits even where e⁻ˣ alone has not.
+    /// 2⁻ˣ times a `factor` of 0 … 10²⁴, for `self` = x ≥ 0: densities. Of x that is no number it is 0.
+    /// In `f32` it is 0 below 2⁻¹¹⁹, and what is left has all its digits even where 2⁻ˣ alone has not.
     #[must_use]
     #[inline(always)]
     #[track_caller]
     fn decay(self, factor: Self) -> Self {
         // From 10⁴ on it is zero in every number.
-        (-self.min(Self::lit(1e4))).exp() * factor
+        (self.min(Self::lit(1e4)) * Self::lit(-LN_2)).exp() * factor
     }
     /// eˣ − 1, accurate near 0.
     #[must_use]

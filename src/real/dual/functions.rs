@@ -1,6 +1,6 @@
 //! The functions of numbers, each with its slope.
 
-use core::f64::consts::{FRAC_2_SQRT_PI, TAU};
+use core::f64::consts::{FRAC_2_SQRT_PI, LN_2, TAU};
 
 use super::super::math::ierfcx;
 use super::super::traits::{Mask, Real};
@@ -112,7 +112,11 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
     fn decay(self, factor: Self) -> Self {
         let (value, by) = (self.value.decay(factor.value), factor.value);
         let some = by.gt(T::zero());
-        self.chain_two(factor, value, [-value, value / T::select(some, by, T::one())])
+        self.chain_two(
+            factor,
+            value,
+            [value * T::lit(-LN_2), value / T::select(some, by, T::one())],
+        )
     }
     #[inline]
     fn mean_magnitude(self, square_at_zero: Self) -> Self {

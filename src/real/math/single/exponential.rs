@@ -1,4 +1,4 @@
-//! eˣ and eˣ − 1: x = n ln 2 + r with |r| ≤ ln 2 / 2, a polynomial in r, and 2ⁿ by its bits.
+//! eˣ, eˣ − 1 and 2⁻ˣ: x = n ln 2 + r with |r| ≤ ln 2 / 2, a polynomial in r, and 2ⁿ by its bits.
 
 use super::{ROUND, exp2_scale};
 
@@ -25,8 +25,7 @@ pub(in crate::real) fn exp(x: f32) -> f32 {
     exp2_scale(y, shifted, x < -104.0)
 }
 
-/// e⁻ˣ times a factor, for x ≥ 0, in base 2: the rounding of x log₂e counts x times in the result, but
-/// two products are spared. The polynomial is 2ʳ to 9.4·10⁻⁸ of its size.
+/// 2⁻ˣ times a factor, for x ≥ 0. The polynomial is 2ʳ to 9.4·10⁻⁸ of its size.
 ///
 /// The power is lifted, so that it has all its digits where the product has, and a product that would
 /// be small is zero before it is put back, since what underflows is slow.
@@ -35,11 +34,10 @@ pub(in crate::real) fn decay(x: f32, factor: f32) -> f32 {
     const LIFT: u32 = 48;
     const BACK: f32 = 1.0 / (1_u64 << LIFT) as f32;
     const LEAST: f32 = 4.2351647e-22; // 2⁻⁷¹, that is 2⁻¹¹⁹ lifted
-    const LARGEST: f32 = 121.3; // lifted, a power with the exponent of zero
+    const LARGEST: f32 = (127 + LIFT) as f32; // lifted, a power with the exponent of zero
     let x = if x < LARGEST { x } else { LARGEST };
-    let e = x * -LOG2_E;
-    let shifted = e + ROUND;
-    let r = e - (shifted - ROUND);
+    let shifted = ROUND - x;
+    let r = (ROUND - shifted) - x;
     let power = shifted.to_bits().wrapping_sub(ROUND.to_bits() - (127 + LIFT));
     let y = polynomial!(r; 1.0, 0.693147, 0.24022247, 0.05550711, 0.009671291, 0.0013269521);
     let lifted = y * f32::from_bits(power << 23) * factor;
