@@ -39,7 +39,7 @@ pub(in crate::real) fn decay(x: f32, factor: f32) -> f32 {
     let shifted = ROUND - x;
     let r = (ROUND - shifted) - x;
     let power = shifted.to_bits().wrapping_sub(ROUND.to_bits() - (127 + LIFT));
-    let y = polynomial!(r; 1.0, 0.693147, 0.24022247, 0.05550711, 0.009671291, 0.0013269521);
+    let y = polynomial!(r; 1.0, 0.6931472, 0.24022648, 0.0555036, 0.009618506, 0.0013390806, 0.00015326471);
     let lifted = y * f32::from_bits(power << 23) * factor;
     lifted * if lifted < LEAST { 0.0 } else { BACK }
 }
