@@ -80,17 +80,16 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
         let (zero, one) = (T::zero(), T::one());
-        // From a tangent of 10⁸ on the density of any allowed roughness is below exp(−10⁸): zero.
         let squares = [m.x().squared(), m.y().squared()];
         let (sin_squared, cos_squared) = (squares[0] + squares[1], m.z().squared());
+        // From a tangent of 10⁸ on the density of any allowed roughness is below exp(−10⁸): zero.
         let above = m.z().gt(zero).and(sin_squared.lt(cos_squared * T::lit(1e16)));
         let inverse = one / T::select(above, cos_squared, one);
         let octaves = self.roughness.octaves_of_squares(squares) * inverse;
-        let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e16));
+        // The power is zero before the bound, which keeps the other factor finite in every number.
+        let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e11));
         let inverse_area = self.roughness.inverse_area();
-        // Too large for a number only where the exponential is zero.
-        let peak = (inverse_cos_squared.squared() * inverse_area).min(T::max_finite());
-        octaves.decay(peak).only_where(above)
+        octaves.decay(inverse_cos_squared.squared() * inverse_area).only_where(above)
     }
 
     #[inline(always)]

@@ -44,6 +44,7 @@ pub trait Mask: Copy + Debug {
 /// |---|---|---|---|
 /// | `exp` | 1.0 | 1.0 | |
 /// | `exp_m1` | 1.3 | 1.25 | |
+/// | `decay` | | | to 1.7·10⁻⁷ in `f32`, 3.4·10⁻¹⁶ in `f64` |
 /// | `ln` | 0.85 | 0.8 | −∞ at 0, NaN below |
 /// | `ln_1p` | 1.4 | 1.4 | −∞ at −1, NaN below |
 /// | `powf` | 0.55 | 1.4 | NaN for a negative base |
@@ -58,6 +59,7 @@ pub trait Mask: Copy + Debug {
 /// | `erfc` | 0.6 | 1.5 | in the tail too, down to underflow |
 /// | `erfcx` | | | to 3.5·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64` |
 /// | `ierfc` | | | x + ierfc x to 3.2·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64`, where ierfc x itself is good to 10⁻¹⁵ + 1.2·10⁻¹⁶ x² |
+/// | `mean_magnitude` | | | to 3.8·10⁻⁷ in `f32`, 10⁻¹⁵ in `f64` |
 /// | `erf_inv` | 3.5 | 2.0 | beyond ±1 the value at the largest number below 1 |
 /// | `sqrt`, `floor` | exact | exact | correctly rounded |
 /// | `rsqrt` | 1.5 | 1.5 | for normal x > 0 |
@@ -225,8 +227,9 @@ pub trait Real:
     /// eˣ.
     #[must_use]
     fn exp(self) -> Self;
-    /// 2⁻ˣ times a `factor` of 0 … 10²⁴, for `self` = x ≥ 0: densities. Of x that is no number it is 0.
-    /// In `f32` it is 0 below 2⁻¹¹⁹, and what is left has all its digits even where 2⁻ˣ alone has not.
+    /// 2⁻ˣ times a positive `factor`, for `self` = x ≥ 0 and a product of at most 10²⁴: what densities
+    /// fall with. Where x is no number it is 0. In `f32` it is 0 below 2⁻¹¹⁹ = 1.5·10⁻³⁶, and above it
+    /// has all its digits even where 2⁻ˣ alone would have lost some.
     #[must_use]
     #[inline(always)]
     #[track_caller]

@@ -4,7 +4,9 @@ use super::sqrt;
 
 /// √(z² + Q ψ(z²/Q)), since the mean, z erf ν + √Q exp(−ν²) with ν² = z²/(π Q), is even in z.
 ///
-/// ψ falls from 1 to 0 like an exponential and is the eighth power of a polynomial.
+/// ψ falls from 1 to 0 like an exponential. Its eighth root is a polynomial on 0 … 12.4 π, constant from
+/// there on, made by linear programming on 460 points so that the error relative to the mean is least, 1 at
+/// 0, coefficients rounded one after the other: 4.8·10⁻⁸, and 3.8·10⁻⁷ with the rounding of the arithmetic.
 #[inline(always)]
 pub(in crate::real) fn mean_magnitude(z: f32, square_at_zero: f32) -> f32 {
     let square = z * z;
