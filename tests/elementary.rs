@@ -304,6 +304,67 @@ fn integral_of_the_error_function_single() {
     assert!(Real::ierfc(f32::MAX) < 1e-8);
 }
 
+/// Of normally distributed numbers, with z = 0 and with z far above the deviation.
+#[test]
+fn mean_magnitude_single() {
+    let mut worst = 0.0_f64;
+    for z in [1e-6_f32, 0.1, 0.7, 1.0] {
+        for ratio in sweep(-4.0, 12.0) {
+            let square = z * z * Real::exp(-ratio);
+            let exact = Real::mean_magnitude(f64::from(z), f64::from(square));
+            worst = worst.max((f64::from(Real::mean_magnitude(z, square)) / exact - 1.0).abs());
+        }
+    }
+    assert!(worst < 3.8e-7, "{worst:e}");
+    assert_eq!(Real::mean_magnitude(0.0_f32, 0.25), 0.5);
+    assert_eq!(Real::mean_magnitude(1.0_f32, 1e-36), 1.0);
+}
+
+/// z erf ν + √Q exp(−ν²) itself.
+#[test]
+fn mean_magnitude_double() {
+    let mut worst = 0.0_f64;
+    for nu in (0..600).map(|i| 0.01 * f64::from(i)) {
+        let deviation = 0.3;
+        let z = nu * deviation * core::f64::consts::PI.sqrt();
+        let exact = z * libm::erf(nu) + deviation * libm::exp(-nu * nu);
+        let found = Real::mean_magnitude(z, deviation * deviation);
+        worst = worst.max((found / exact - 1.0).abs());
+    }
+    assert!(worst < 1e-15, "{worst:e}");
+}
+
+/// Powers of two that keep their digits until the product is below 2⁻¹¹⁹.
+#[test]
+fn decay_single() {
+    let mut worst = 0.0_f64;
+    for x in sweep(0.0, 160.0) {
+        for factor in [1e-6_f32, 1.0, 0.3, 1e9, 3e20] {
+            let exact = libm::exp2(-f64::from(x)) * f64::from(factor);
+            let found = f64::from(Real::decay(x, factor));
+            if exact > 1.6e-36 {
+                worst = worst.max((found / exact - 1.0).abs());
+            } else {
+                assert!(found < 1.6e-36, "{x} {factor}");
+            }
+        }
+    }
+    assert!(worst < 1.7e-7, "{worst:e}");
+    assert_eq!(Real::decay(f32::MAX, 1e30), 0.0);
+    assert_eq!(Real::decay(f32::NAN, 1.0), 0.0);
+}
+
+#[test]
+fn decay_double() {
+    let mut worst = 0.0_f64;
+    for x in (0..20000).map(|i| 0.037 * f64::from(i)) {
+        worst = worst.max((Real::decay(x, 3.0) / (libm::exp2(-x) * 3.0) - 1.0).abs());
+    }
+    assert!(worst < 3.4e-16, "{worst:e}");
+    assert_eq!(Real::decay(f64::MAX, 1e30), 0.0);
+    assert_eq!(Real::decay(f64::NAN, 1.0), 0.0);
+}
+
 /// In `f64` it is accurate also relative to its own size.
 #[test]
 fn integral_of_the_error_function_double() {
@@ -545,6 +606,12 @@ macro_rules! function {
     (atan2 $number:ty) => {
         |y: $number, x: $number| Real::atan2(y, x)
     };
+    (decay $number:ty) => {
+        |x: $number, y: $number| Real::decay(x, y * y)
+    };
+    (mean_magnitude $number:ty) => {
+        |x: $number, y: $number| Real::mean_magnitude(x, y * y)
+    };
     (sin_turns $number:ty) => {
         |x: $number, _: $number| Real::sin_cos_turns(x).0
     };
@@ -579,6 +646,8 @@ bits! {
     erfc(-5.0, 9.0) 0xb8c5b4a7cb067efb
     erfcx(0.0, 20.0) 0x41571d90ad5ffc7e
     ierfc(0.0, 5.0) 0x38977ac123be2c3a
+    decay(0.0, 150.0) 0xc0a8a508e623e254
+    mean_magnitude(0.0, 5.0) 0xe4849ca444dee9ba
     erf_inv(-1.0, 1.0) 0x57bab2d979817fb5
 }
 bits! {
@@ -604,5 +673,7 @@ bits! {
     erfc(-5.0, 9.0) 0xfa862b7188b6eb79
     erfcx(0.0, 20.0) 0xf6cf434b879929c5
     ierfc(0.0, 5.0) 0x59b38d9c8612da74
+    decay(0.0, 150.0) 0x8027ae0b975d537e
+    mean_magnitude(0.0, 5.0) 0xfd77ea94f996ac4d
     erf_inv(-1.0, 1.0) 0x12a6c429103578c5
 }

@@ -80,17 +80,16 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
     #[inline(always)]
     fn density_along(&self, m: T::Vec3) -> T {
         let (zero, one) = (T::zero(), T::one());
+        let squares = [m.x().squared(), m.y().squared()];
+        let (sin_squared, cos_squared) = (squares[0] + squares[1], m.z().squared());
         // From a tangent of 10⁸ on the density of any allowed roughness is below exp(−10⁸): zero.
-        let sin_squared = m.x().squared() + m.y().squared();
-        let cos_squared = m.z().squared();
         let above = m.z().gt(zero).and(sin_squared.lt(cos_squared * T::lit(1e16)));
         let inverse = one / T::select(above, cos_squared, one);
-        // From 10⁴ on the exponential is zero in every number; the bounds keep it from infinity.
-        let exponent = (self.roughness.sin_over_alpha_squared(m) * inverse).min(T::lit(1e4));
-        let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e16));
+        let octaves = self.roughness.octaves_of_squares(squares) * inverse;
+        // The power is zero before the bound, which keeps the other factor finite in every number.
+        let inverse_cos_squared = one + (sin_squared * inverse).min(T::lit(1e11));
         let inverse_area = self.roughness.inverse_area();
-        let density = (-exponent).exp() * inverse_cos_squared.squared() * inverse_area;
-        density.min(T::max_finite()).only_where(above)
+        octaves.decay(inverse_cos_squared.squared() * inverse_area).only_where(above)
     }
 
     #[inline(always)]
@@ -114,15 +113,14 @@ impl<T: Real> Smith<T> for Beckmann<T> {
         (T::lit(0.5) * alpha_sin * ierfc(cos / alpha_sin)).min(T::max_finite())
     }
 
-    /// (1 + 2Λ) cosθ = cosθ + α sinθ ierfc(ν).
+    /// (1 + 2Λ) cosθ = cosθ erf ν + α sinθ exp(−ν²)/√π, the mean magnitude of w·(−s, 1) for slopes s.
     #[inline(always)]
     fn projected_area(&self, w: T::Vec3) -> T {
-        let cos = w.z().max(T::zero());
-        // Bounds as above, and what has a reciprocal root.
-        let alpha_sin_squared = self.roughness.alpha_sin_squared(w);
-        let alpha_sin_squared = alpha_sin_squared.clamp(T::lit(1e-36), T::max_finite());
-        let inverse = alpha_sin_squared.rsqrt();
-        cos + alpha_sin_squared * inverse * (cos * inverse).ierfc()
+        let squares = [w.x().squared(), w.y().squared()];
+        let grazing_squared = self.roughness.grazing_squared_of_squares(squares);
+        // Bounds as above, and what π times is still finite.
+        let grazing_squared = grazing_squared.clamp(T::lit(1e-36), T::max_finite() * T::lit(0.25));
+        w.z().max(T::zero()).mean_magnitude(grazing_squared)
     }
 
     #[inline(always)]

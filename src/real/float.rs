@@ -41,7 +41,7 @@ macro_rules! functions_of_two {
 }
 
 macro_rules! float {
-    ($float:ident, $vector:ty, $precision:ident, $($own:ident)*) => {
+    ($float:ident, $vector:ty, $precision:ident, [$($own:ident)*], [$($own_of_two:ident)*]) => {
         impl Real for $float {
             type Mask = bool;
             type Vec3 = $vector;
@@ -102,10 +102,11 @@ macro_rules! float {
             functions!($precision: angle_squared erf erfc erf_inv);
             // What only this precision has a formula of its own for.
             functions!($precision: $($own)*);
+            functions_of_two!($precision: $($own_of_two)*);
             functions_of_two!($precision: powf atan2);
         }
     };
 }
 
-float!(f32, glam::Vec3, single, erfcx ierfc);
-float!(f64, glam::DVec3, double,);
+float!(f32, glam::Vec3, single, [erfcx ierfc], [decay mean_magnitude]);
+float!(f64, glam::DVec3, double, [], [decay]);

@@ -155,5 +155,5 @@ impl<T: Real<Mask = bool>, const N: usize> Real for Lanes<T, N> {
 
     lane_functions!(abs held floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
     lane_functions!(angle_squared erf erfc erfcx ierfc erf_inv);
-    lane_functions_of_two!(min max at_most with_derivatives_of copysign powf atan2);
+    lane_functions_of_two!(min max at_most with_derivatives_of copysign powf atan2 decay mean_magnitude);
 }

@@ -1,6 +1,6 @@
 //! The functions of numbers, each with its slope.
 
-use core::f64::consts::{FRAC_2_SQRT_PI, TAU};
+use core::f64::consts::{FRAC_2_SQRT_PI, LN_2, TAU};
 
 use super::super::math::ierfcx;
 use super::super::traits::{Mask, Real};
@@ -107,6 +107,24 @@ impl<T: Real, const N: usize> Real for Dual<T, N> {
         let at_zero = at_zero.only_where(first);
         let slope = T::select(positive, n * (y / base), at_zero);
         self.chain_two(exponent, y, [slope, y * base.ln()])
+    }
+    #[inline]
+    fn decay(self, factor: Self) -> Self {
+        let (value, by) = (self.value.decay(factor.value), factor.value);
+        let some = by.gt(T::zero());
+        self.chain_two(
+            factor,
+            value,
+            [value * T::lit(-LN_2), value / T::select(some, by, T::one())],
+        )
+    }
+    #[inline]
+    fn mean_magnitude(self, square_at_zero: Self) -> Self {
+        let (z, q) = (self.value, square_at_zero.value);
+        let inverse = q.rsqrt();
+        let nu = z * inverse * T::lit(0.5 * FRAC_2_SQRT_PI);
+        let by_square = T::lit(0.5) * (-nu.squared()).exp() * inverse;
+        self.chain_two(square_at_zero, z.mean_magnitude(q), [nu.erf(), by_square])
     }
     #[inline]
     fn power_of_part(self, rest: Self, exponent: Self) -> Self {

@@ -43,7 +43,9 @@ fn of_pairs<T: Real>(x: T, pairs: &[[f64; 2]], last: f64) -> T {
 pub(super) mod double;
 mod erfcx;
 mod ierfc;
+mod mean_magnitude;
 pub(super) mod single;
 
 pub(super) use erfcx::erfcx;
 pub(crate) use ierfc::{ierfc, ierfcx};
+pub(super) use mean_magnitude::mean_magnitude;

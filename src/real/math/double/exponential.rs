@@ -1,4 +1,4 @@
-//! eˣ and eˣ − 1: x = n ln 2 + r with |r| ≤ ln 2 / 2, a polynomial in r, and 2ⁿ by its bits.
+//! eˣ, eˣ − 1 and 2⁻ˣ: x = n ln 2 + r with |r| ≤ ln 2 / 2, a polynomial in r, and 2ⁿ by its bits.
 
 use super::{ROUND, scale};
 
@@ -34,6 +34,17 @@ pub(in crate::real) fn exp(x: f64) -> f64 {
     let x = if x < -747.0 { -747.0 } else { x };
     let (y, power) = parts(x, 0.0);
     scale(1.0 + y, power)
+}
+
+/// 2⁻ˣ times a factor, for x ≥ 0.
+#[inline(always)]
+pub(in crate::real) fn decay(x: f64, factor: f64) -> f64 {
+    const LARGEST: f64 = 1080.0; // a power that is zero
+    let x = if x < LARGEST { x } else { LARGEST };
+    let shifted = ROUND - x;
+    let r = ((ROUND - shifted) - x) * core::f64::consts::LN_2;
+    let power = shifted.to_bits().wrapping_sub(ROUND.to_bits() - 2046);
+    scale(1.0 + (r + r * r * remainder(r)), power) * factor
 }
 
 #[inline(always)]

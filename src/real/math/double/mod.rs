@@ -10,7 +10,7 @@ mod trigonometric;
 
 pub(in crate::real) use arc::{acos, angle_squared, asin, atan2};
 pub(in crate::real) use error_function::{erf, erf_inv, erfc};
-pub(in crate::real) use exponential::{exp, exp_m1};
+pub(in crate::real) use exponential::{decay, exp, exp_m1};
 pub(in crate::real) use logarithm::{ln, ln_1p};
 pub(in crate::real) use power::{power_of_part, powf};
 pub(in crate::real) use root::{rsqrt, sqrt};

@@ -1,4 +1,4 @@
-//! eˣ and eˣ − 1: x = n ln 2 + r with |r| ≤ ln 2 / 2, a polynomial in r, and 2ⁿ by its bits.
+//! eˣ, eˣ − 1 and 2⁻ˣ: x = n ln 2 + r with |r| ≤ ln 2 / 2, a polynomial in r, and 2ⁿ by its bits.
 
 use super::{ROUND, exp2_scale};
 
@@ -23,6 +23,26 @@ pub(in crate::real) fn exp(x: f32) -> f32 {
     let r = (x - n * LN_2_HIGH) - n * LN_2_LOW;
     let y = 1.0 + (r + r * r * remainder(r));
     exp2_scale(y, shifted, x < -104.0)
+}
+
+/// 2⁻ˣ times a factor, for x ≥ 0. The polynomial is 2ʳ within 3·10⁻⁹ of its size for |r| ≤ ½, made by
+/// linear programming on 801 points, coefficients rounded one after the other.
+///
+/// The power is lifted, so that it has all its digits where the product has, and a product that would
+/// be small is zero before it is put back, since numbers that underflow are slow.
+#[inline(always)]
+pub(in crate::real) fn decay(x: f32, factor: f32) -> f32 {
+    const LIFT: u32 = 48;
+    const BACK: f32 = 1.0 / (1_u64 << LIFT) as f32;
+    const LEAST: f32 = 4.2351647e-22; // 2⁻⁷¹, that is 2⁻¹¹⁹ lifted
+    const LARGEST: f32 = (127 + LIFT) as f32; // lifted, a power with the exponent of zero
+    let x = if x < LARGEST { x } else { LARGEST };
+    let shifted = ROUND - x;
+    let r = (ROUND - shifted) - x;
+    let power = shifted.to_bits().wrapping_sub(ROUND.to_bits() - (127 + LIFT));
+    let y = polynomial!(r; 1.0, core::f32::consts::LN_2, 0.24022648, 0.0555036, 0.009618506, 0.0013390806, 0.00015326471);
+    let lifted = y * f32::from_bits(power << 23) * factor;
+    lifted * if lifted < LEAST { 0.0 } else { BACK }
 }
 
 #[inline(always)]

@@ -7,14 +7,16 @@ mod arc;
 mod error_function;
 mod exponential;
 mod logarithm;
+mod mean_magnitude;
 mod power;
 mod root;
 mod trigonometric;
 
 pub(in crate::real) use arc::{acos, angle_squared, asin, atan2};
 pub(in crate::real) use error_function::{erf, erf_inv, erfc, erfcx, ierfc};
-pub(in crate::real) use exponential::{exp, exp_m1};
+pub(in crate::real) use exponential::{decay, exp, exp_m1};
 pub(in crate::real) use logarithm::{ln, ln_1p, powf};
+pub(in crate::real) use mean_magnitude::mean_magnitude;
 pub(in crate::real) use power::power_of_part;
 pub(in crate::real) use root::{rsqrt, sqrt};
 pub(in crate::real) use trigonometric::{sin_cos, sin_cos_turns, tan};

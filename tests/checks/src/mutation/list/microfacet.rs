@@ -15,6 +15,7 @@ const TILTS: &str = "src/distribution/gaussian_tilts.rs";
 const GGX: &str = "src/distribution/ggx.rs";
 const HISTORICAL: &str = "src/microfacet/historical.rs";
 const IERFC: &str = "src/real/math/ierfc.rs";
+const MEAN_MAGNITUDE: &str = "src/real/math/mean_magnitude.rs";
 const MIXTURE: &str = "src/distribution/mixture.rs";
 const ROUGHNESS: &str = "src/distribution/roughness.rs";
 const SHADOWING: &str = "src/microfacet/shadowing.rs";
@@ -36,8 +37,8 @@ pub(super) static MUTANTS: [Mutant; 39] = [
         "(▸T::lit(0.5) * alpha_sin * ierfc(cos / alpha_sin))", Literal, ONE),
     Mutant::new("Beckmann", "Λ without e^(−ν²)", IERFC,
         "    ▸(-x.squared()).exp() * polynomial(x) /", Mul, RIGHT),
-    Mutant::new("Beckmann", "half of what faces away in the projected area", BECKMANN,
-        "        ▸cos + alpha_sin_squared * inverse", Add, |cos, away, _| cos + 0.5 * away),
+    Mutant::new("Beckmann", "half of what faces away in the projected area", MEAN_MAGNITUDE,
+        "    ▸z + square * inverse * (z * inverse).ierfc()", Add, |z, away, _| z + 0.5 * away),
     Mutant::new("Beckmann", "sign in the equation of the visible slope", SLOPES,
         "        ▸missing + (T::select", Add, MINUS),
     Mutant::new("Beckmann", "tan²α drawn for tanα", SLOPES,
