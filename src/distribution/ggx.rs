@@ -4,7 +4,7 @@ use super::traits::{Distribution, Smith};
 use crate::direction::above_or_normal;
 use crate::error::ParameterError;
 use crate::parameter::model;
-use crate::real::{Mask, Real, Vector};
+use crate::real::{Real, Vector};
 use crate::sampling::uniform;
 
 model! {
