@@ -4,27 +4,33 @@ use core::f64::consts::PI;
 
 use crate::real::{Real, iterate};
 
-/// Cosine and sine of the azimuth φ in [−π, π] from the viewer for a number in [0, 1]: of two
-/// opposite facets with areas (1 ± K cosφ)₊ one is chosen in proportion to the areas.
+/// Cosine and sine of an azimuth ψ₀ + φ for the viewer's azimuth ψ₀, given by the same, and a number in [0, 1]:
+/// of two opposite facets with areas (1 ± K cosφ)₊ one is chosen in proportion to the areas. φ in [−π, π] grows
+/// with the number. K is given by its square, which is not 0.
 #[inline(always)]
-pub(super) fn visible_azimuth<T: Real>(k: T, u: T) -> (T, T) {
+pub(super) fn visible_azimuth<T: Real>(k_squared: T, (cos_0, sin_0): (T, T), u: T) -> (T, T) {
     let (zero, one) = (T::zero(), T::one());
     // Both halves are alike. Counted from behind, at ε = π − |φ|, the probability is τ/π. A smaller one
     // makes no difference that could be seen.
     let signed = u + u - one;
-    let part = one - signed.abs();
-    let tau = (part * T::lit(PI)).max(T::lit(1e-18));
+    let tau = ((one - signed.abs()) * T::lit(PI)).max(T::lit(1e-18));
     // No facet is visible for ε < first = arccos(1/K); one of two for ε > π − first, and there
     // ε = π/2 + τ/2. Those are the azimuths where a facet with K = 1/sin(τ/2) begins to be the only one.
-    let (sin_half, _) = (part * T::lit(0.25)).sin_cos_turns();
-    let k = k.min(one / sin_half.max(T::lit(1e-15)));
+    let (sin_half, _) = sin_cos_of_half(tau);
+    let k_squared = k_squared.min(one / sin_half.squared().max(T::lit(1e-30)));
+    let k = k_squared.sqrt();
     // Between them ∫(1 − K cosε)dε = τ, or with x = ε − first and (a, b) = K (cos first, sin first):
     // x − a sin x + b (1 − cos x) = τ. With K < 1 first is 0, and a is K.
-    let b = ((k - one) * (k + one)).max(zero).sqrt();
-    let cos_first = one / k.max(one);
-    let sin_first = b * cos_first;
+    let b = (k_squared - one).max(zero).sqrt();
     let (sin, cos) = Kepler { a: k.min(one), b, target: tau }.sin_cos_of_solution();
-    (sin_first * sin - cos_first * cos, (sin_first * cos + cos_first * sin).copysign(signed))
+    // ψ = ψ₀ ± (π − first − x), of which all but x is known before.
+    let cos_first = one / k.max(one);
+    let (sin_first, side) = (b * cos_first, one.copysign(signed));
+    let (cos_behind, sin_behind) = (-cos_first, sin_first * side);
+    let cos_end = cos_0 * cos_behind - sin_0 * sin_behind;
+    let sin_end = sin_0 * cos_behind + cos_0 * sin_behind;
+    let across = sin * side;
+    (cos_end * cos + sin_end * across, sin_end * cos - cos_end * across)
 }
 
 /// The equation x − a sin x + b (1 − cos x) = `target` for x in 0 … π, where a is 1 or b is 0: Kepler's
@@ -67,20 +73,20 @@ impl<T: Real> Kepler<T> {
     /// The solution to 2 %.
     ///
     /// With a = 1 and b = 0 it is X(τ), here to 0.7 % a rational function of the fourth root. Elsewhere x = ΦX,
-    /// where Φ solves nearly nΦ + 4mΦ²/4 + aΦ³ = 1, which is closer to Φ² the closer X is to π.
+    /// where 2lΦ + qΦ² + aΦ³ is nearly 1, with a power closer to Φ² than to Φ³ where X is close to π: what
+    /// is between the roots of quadratic equations for small and for large l and q.
     #[inline(always)]
     fn first_guess(&self) -> T {
-        let (one, four) = (T::one(), T::lit(4.0));
+        let (half, one) = (T::lit(0.5), T::one());
         let root = self.target.sqrt().sqrt().max(T::lit(1e-3));
         let end = root * (T::lit(0.38474) + T::lit(9.7423) * root)
             / (one + root * (T::lit(6.3183) - T::lit(2.104) * root));
         let inverse = end / self.target;
-        let bend = T::lit(0.418) * (one - T::lit(0.123) * end.squared());
-        let linear = (one - self.a) * inverse;
-        let quadratic = self.b * (end * inverse * T::lit(0.5));
+        let bend = T::lit(0.836) * (one - T::lit(0.123) * end.squared());
+        let linear = (one - self.a) * (half * inverse);
+        let quadratic = self.b * (half * inverse * end);
         let cubic = self.a / (one + (bend * linear + T::lit(0.375) * quadratic));
-        let discriminant = linear.squared() + four * (quadratic + cubic);
-        (end + end) / (linear + discriminant.sqrt())
+        end / (linear + ((linear.squared() + quadratic) + cubic).sqrt())
     }
 
     /// One step of Householder's method of third order.
@@ -109,26 +115,31 @@ impl<T: Real> Kepler<T> {
     }
 }
 
-/// sin x and 1 − cos x for x in 0 … π, from half of x. Polynomials are enough for the rounding of `f32`, and
-/// sooner there than what reduces an angle first.
+/// sin x and 1 − cos x for x in 0 … π.
 #[inline(always)]
 fn sine_and_versine<T: Real>(x: T) -> (T, T) {
-    let half = x * T::lit(0.5);
-    let (sin, cos) = if T::SPACING > 1e-9 {
-        let z = half.squared();
-        let square = z.squared();
-        let of_sine = (T::lit(-1.66666555e-1) + T::lit(8.33297797e-3) * z)
-            + square * (T::lit(-1.98038108e-4) + T::lit(2.59393547e-6) * z);
-        let of_cosine = (T::lit(4.99999995e-1) - T::lit(4.16666363e-2) * z)
-            + square
-                * ((T::lit(1.38883431e-3) - T::lit(2.47586704e-5) * z)
-                    + square * T::lit(2.60188378e-7));
-        (half + half * z * of_sine, T::one() - z * of_cosine)
-    } else {
-        half.sin_cos()
-    };
+    let (sin, cos) = sin_cos_of_half(x);
     let twice = sin + sin;
     (twice * cos, twice * sin)
+}
+
+/// Sine and cosine of half an angle in 0 … π. Polynomials are enough for the rounding of `f32`, and sooner
+/// there than what reduces the angle first.
+#[inline(always)]
+fn sin_cos_of_half<T: Real>(x: T) -> (T, T) {
+    let half = x * T::lit(0.5);
+    if T::SPACING < 1e-9 {
+        return half.sin_cos();
+    }
+    let z = half.squared();
+    let square = z.squared();
+    let of_sine = (T::lit(-1.66666555e-1) + T::lit(8.33297797e-3) * z)
+        + square * (T::lit(-1.98038108e-4) + T::lit(2.59393547e-6) * z);
+    let of_cosine = (T::lit(4.99999995e-1) - T::lit(4.16666363e-2) * z)
+        + square
+            * ((T::lit(1.38883431e-3) - T::lit(2.47586704e-5) * z)
+                + square * T::lit(2.60188378e-7));
+    (half + half * z * of_sine, T::one() - z * of_cosine)
 }
 
 #[cfg(test)]
@@ -153,7 +164,7 @@ mod tests {
 
     /// Flat, mildly tilted, just not and just hidden, almost vertical facets.
     const K: [f64; 14] =
-        [0.0, 1e-9, 0.1, 0.5, 0.9, 0.99, 0.999999, 1.0, 1.000001, 1.01, 1.1, 2.0, 30.0, 1e4];
+        [1e-18, 1e-9, 0.1, 0.5, 0.9, 0.99, 0.999999, 1.0, 1.000001, 1.01, 1.1, 2.0, 30.0, 1e4];
 
     #[test]
     fn the_azimuth_inverts_its_probability() {
@@ -162,11 +173,11 @@ mod tests {
             let even = (0..=4096_u16).map(|step| f64::from(step) / 4096.0);
             let small = (0..=512_u16).map(|step| (-f64::from(step) / 16.0).exp());
             for u in even.chain(small) {
-                let (cos, sin) = visible_azimuth(k, u);
+                let (cos, sin) = visible_azimuth(k * k, (1.0, 0.0), u);
                 worst_f64 = worst_f64.max((probability(k, cos, sin) - u).abs());
                 #[allow(clippy::cast_possible_truncation, reason = "single precision is tested")]
                 let (single_k, single_u) = (k as f32, u as f32);
-                let (cos, sin) = visible_azimuth(single_k, single_u);
+                let (cos, sin) = visible_azimuth(single_k * single_k, (1.0, 0.0), single_u);
                 let got = probability(f64::from(single_k), f64::from(cos), f64::from(sin));
                 worst_f32 = worst_f32.max((got - f64::from(single_u)).abs());
             }
@@ -179,7 +190,7 @@ mod tests {
     fn the_azimuth_grows_with_the_number() {
         for k in K {
             let angle = |step: u16| {
-                let (cos, sin) = visible_azimuth(k, f64::from(step) / 4096.0);
+                let (cos, sin) = visible_azimuth(k * k, (1.0, 0.0), f64::from(step) / 4096.0);
                 sin.atan2(cos)
             };
             for step in 1..=4095 {
@@ -192,7 +203,7 @@ mod tests {
     fn vertical_facets_and_the_ends_of_the_numbers_are_harmless() {
         for k in [1e10, 1e15, 1e30, f64::MAX, f64::INFINITY] {
             for u in [0.0, 1e-300, 1e-16, 0.25, 0.5, 0.75, 1.0 - 1e-16, 1.0] {
-                let (cos, sin) = visible_azimuth(k, u);
+                let (cos, sin) = visible_azimuth(k * k, (1.0, 0.0), u);
                 assert!((cos * cos + sin * sin - 1.0).abs() < 1e-15, "{k} {u}");
                 assert!(cos > -1e-9, "{k} {u}: faces away by {cos}");
             }

@@ -111,8 +111,8 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
 
     #[inline(always)]
     fn sample_visible_along(&self, distribution: &D, wo: T::Vec3, u: [T; 2]) -> T::Vec3 {
-        let [tilt, place] = uniform(u);
-        visible_of_tilt::<T>(distribution.sample([tilt, T::lit(EIGHTH)]), wo, place)
+        let facet = distribution.sample_along([u[0], T::lit(EIGHTH)]);
+        visible_of_tilt::<T>(facet, wo, uniform(u)[1])
     }
 
     fn kinks(&self, _: &D) -> Option<Kinks> {
@@ -126,7 +126,7 @@ impl<T: Real, D: Distribution<T>> Shadowing<T, D> for VCavity {
         h: &mut [Plane<T>; 4],
     ) {
         let [_, _, _, tilt, _] = draws.planes;
-        distribution.sample_block(draws.of([tilt, &[T::lit(EIGHTH); BLOCK]]), h);
+        distribution.sample_along_block(draws.of([tilt, &[T::lit(EIGHTH); BLOCK]]), h);
         visible_block(draws, h);
     }
 }
@@ -158,16 +158,19 @@ fn visible_of_tilt<T: Real>(facet: T::Vec3, wo: T::Vec3, place: T) -> T::Vec3 {
     let (x, y, z) = (facet.x() * T::lit(SQRT_2), facet.y() * T::lit(SQRT_2), facet.z());
     // wo·h = z wo_z + r cos(ψ − ψ₀) with (r cosψ₀, r sinψ₀) = (x wo_x, y wo_y).
     let (r_cos, r_sin) = (x * wo.x(), y * wo.y());
-    let r = (r_cos.squared() + r_sin.squared()).sqrt();
+    let r_squared = r_cos.squared() + r_sin.squared();
     // A smaller r does not change the density of the azimuth by as much as a rounding, and its
     // square has no digits in single precision.
-    let tilted = r.gt(T::lit(1e-18));
-    let inverse = one / T::select(tilted, r, one);
-    let cos_0 = T::select(tilted, r_cos * inverse, one);
-    let sin_0 = (r_sin * inverse).only_where(tilted);
-    let k = (r / (z * wo.z())).only_where(tilted);
-    let (cos, sin) = visible_azimuth(k, place);
-    Vector::new(x * (cos_0 * cos - sin_0 * sin), y * (sin_0 * cos + cos_0 * sin), z)
+    let tilted = r_squared.gt(T::lit(1e-36));
+    let r_squared = T::select(tilted, r_squared, one);
+    let inverse_r = one / r_squared.sqrt();
+    let cos_0 = T::select(tilted, r_cos * inverse_r, one);
+    let sin_0 = (r_sin * inverse_r).only_where(tilted);
+    // K = r/(z wo_z) by its square, which does not wait for a root.
+    let inverse_z = one / (z * wo.z()).max(T::lit(1e-18));
+    let k_squared = T::select(tilted, r_squared * inverse_z.squared(), T::lit(1e-36));
+    let (cos, sin) = visible_azimuth(k_squared, (cos_0, sin_0), place);
+    Vector::new(x * cos, y * sin, z)
 }
 
 /// (wo·h)/2.
