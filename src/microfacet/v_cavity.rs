@@ -36,9 +36,9 @@ use crate::sampling::uniform;
 /// (wo·h)₊/((wo·h)₊ + (wo·h′)₊), else take h′; that needs a third random number. Here two are
 /// enough. The first decides the tilt of the facet, as in [`Distribution::sample`]. The second is
 /// the azimuth, whose density given the tilt is ½(1 + K cosφ)/π around the viewer, cut to 0 … 1/π,
-/// with K = tanθ_h tanθ_o on an isotropic surface. Its integral is Kepler's equation; three steps
-/// of Laguerre's method solve it, two in `f32`, to 5·10⁻¹³ of the probability in `f64` and 4·10⁻⁷ in
-/// `f32`. The azimuth grows with the second number.
+/// with K = tanθ_h tanθ_o on an isotropic surface. Its integral is Kepler's equation; from a good guess one
+/// step of Householder's method of third order solves it in `f32`, two in `f64`, to 4·10⁻⁷ and 5·10⁻¹³ of the
+/// probability. The azimuth grows with the second number.
 ///
 /// # Sources
 /// K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces",
