@@ -102,6 +102,11 @@ impl<T: Real> Distribution<T> for AnyDistribution<T> {
         each_distribution!(self, distribution => distribution.sample(u))
     }
 
+    #[inline(always)]
+    fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
+        each_distribution!(self, distribution => distribution.sample_along(u))
+    }
+
     fn spreads(&self) -> Option<Spreads<T>> {
         each_distribution!(self, distribution => distribution.spreads())
     }
@@ -116,6 +121,10 @@ impl<T: Real> Distribution<T> for AnyDistribution<T> {
 
     fn sample_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
         each_distribution!(self, distribution => distribution.sample_block(uniforms, h));
+    }
+
+    fn sample_along_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+        each_distribution!(self, distribution => distribution.sample_along_block(uniforms, h));
     }
 }
 

@@ -71,6 +71,11 @@ impl<T: Real> Distribution<T> for AnyMixture<T> {
         self.choose(u, |weight, _| weight, |each, u| each.sample(u))
     }
 
+    #[inline(always)]
+    fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
+        self.choose(u, |weight, _| weight, |each, u| each.sample_along(u))
+    }
+
     fn spreads(&self) -> Option<Spreads<T>> {
         mixed(self.terms.iter().map(|(weight, each)| (*weight, each.spreads())))
     }
@@ -89,6 +94,15 @@ impl<T: Real> Distribution<T> for AnyMixture<T> {
             h,
             |weight, _, probability| *probability = [weight; BLOCK],
             |each, uniforms, drawn| each.sample_block(uniforms, drawn),
+        );
+    }
+
+    fn sample_along_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+        self.choose_block(
+            uniforms,
+            h,
+            |weight, _, probability| *probability = [weight; BLOCK],
+            |each, uniforms, drawn| each.sample_along_block(uniforms, drawn),
         );
     }
 }

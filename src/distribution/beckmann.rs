@@ -94,8 +94,13 @@ impl<T: Real> Distribution<T> for Beckmann<T> {
 
     #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        Vector::normalize_or_normal(self.sample_along(u))
+    }
+
+    #[inline(always)]
+    fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
         let (x, y) = slopes(u);
-        self.roughness.unstretch(x, y, T::one())
+        self.roughness.unstretch_along(x, y, T::one())
     }
 
     fn spreads(&self) -> Option<Spreads<T>> {

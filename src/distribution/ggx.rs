@@ -89,11 +89,16 @@ impl<T: Real> Distribution<T> for Ggx<T> {
 
     #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        Vector::normalize_or_normal(self.sample_along(u))
+    }
+
+    #[inline(always)]
+    fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
         let [u, turn] = uniform(u);
         // tan²θ = u₀/(1 − u₀) in the space of roughness 1: slope sinθ over cosθ.
         let (sin, cos) = (u.sqrt(), (T::one() - u).sqrt());
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
-        self.roughness.unstretch(sin * cos_phi, sin * sin_phi, cos)
+        self.roughness.unstretch_along(sin * cos_phi, sin * sin_phi, cos)
     }
 
     fn spreads(&self) -> Option<Spreads<T>> {

@@ -198,6 +198,15 @@ impl<T: Real, D: Distribution<T>, const N: usize> Distribution<T> for Mixture<T,
         choice.chosen()
     }
 
+    #[inline(always)]
+    fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
+        let mut choice = Choice::new(u);
+        for (&weight, distribution) in self.weights.iter().zip(&self.distributions) {
+            choice.offer(weight, |u| distribution.sample_along(u));
+        }
+        choice.chosen()
+    }
+
     fn spreads(&self) -> Option<Spreads<T>> {
         mixed(
             self.weights

@@ -99,10 +99,4 @@ impl<T: Real> Roughness<T> {
     pub(super) fn unstretch_along(&self, x: T, y: T, z: T) -> T::Vec3 {
         Vector::new(x * self.along[0], y * self.along[1], z)
     }
-
-    /// The unit normal.
-    #[inline(always)]
-    pub(super) fn unstretch(&self, x: T, y: T, z: T) -> T::Vec3 {
-        Vector::normalize_or_normal(self.unstretch_along(x, y, z))
-    }
 }

@@ -158,12 +158,17 @@ impl<T: Real> Distribution<T> for StudentT<T> {
     /// tan²θ_h = g ((1 − u₀)^(−1/g) − 1) in the space of roughness 1.
     #[inline(always)]
     fn sample(&self, u: [T; 2]) -> T::Vec3 {
+        Vector::normalize_or_normal(self.sample_along(u))
+    }
+
+    #[inline(always)]
+    fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
         let ([u, turn], g) = (uniform(u), self.degrees());
         let logarithm = ln_of_rest(u) / g;
         let sin = (g * -logarithm.exp_m1()).max(T::zero()).sqrt();
         let cos = (logarithm * T::lit(0.5)).exp();
         let (sin_phi, cos_phi) = turn.sin_cos_turns();
-        self.roughness.unstretch(sin * cos_phi, sin * sin_phi, cos)
+        self.roughness.unstretch_along(sin * cos_phi, sin * sin_phi, cos)
     }
 
     fn spreads(&self) -> Option<Spreads<T>> {

@@ -41,6 +41,14 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
     /// [`Brdf::sample`](crate::Brdf::sample).
     fn sample(&self, u: [T; 2]) -> T::Vec3;
 
+    /// A vector of any length along [`sample`](Self::sample), whose square lies in 10⁻³⁶ … 10³⁶: for
+    /// those who do not need the unit vector.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
+        self.sample(u)
+    }
+
     /// The facets, kind by kind, with the part of each kind: what a quadrature over facets needs to
     /// place its nodes. `None`, the default, is a distribution of which that is not known.
     #[doc(hidden)]
@@ -78,6 +86,17 @@ pub trait Distribution<T: Real = f32>: Send + Sync {
             h,
             #[inline(always)]
             |index| components(self.sample(uniforms.u(index))),
+        );
+    }
+
+    /// [`sample_along`](Self::sample_along) for a block of uniform numbers.
+    #[doc(hidden)]
+    #[inline(never)]
+    fn sample_along_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+        uniforms.numbers(
+            h,
+            #[inline(always)]
+            |index| components(self.sample_along(uniforms.u(index))),
         );
     }
 
@@ -168,6 +187,10 @@ macro_rules! forward {
             fn sample(&self, u: [T; 2]) -> T::Vec3 {
                 (**self).sample(u)
             }
+            #[inline(always)]
+            fn sample_along(&self, u: [T; 2]) -> T::Vec3 {
+                (**self).sample_along(u)
+            }
             fn spreads(&self) -> Option<Spreads<T>> {
                 (**self).spreads()
             }
@@ -179,6 +202,9 @@ macro_rules! forward {
             }
             fn sample_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
                 (**self).sample_block(uniforms, h);
+            }
+            fn sample_along_block(&self, uniforms: UniformBlock<'_, T>, h: &mut [Plane<T>; 4]) {
+                (**self).sample_along_block(uniforms, h);
             }
         }
 

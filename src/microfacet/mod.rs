@@ -4,6 +4,7 @@ mod any_shadowing;
 mod areas;
 mod cook_torrance;
 mod directional_albedo;
+mod groove_azimuth;
 mod historical;
 mod mixture_block;
 mod planes;

@@ -13,6 +13,7 @@ const BLINN_1977: &str = "src/distribution/blinn_1977.rs";
 const GAUSSIAN: &str = "src/distribution/gaussian.rs";
 const TILTS: &str = "src/distribution/gaussian_tilts.rs";
 const GGX: &str = "src/distribution/ggx.rs";
+const GROOVES: &str = "src/microfacet/groove_azimuth.rs";
 const HISTORICAL: &str = "src/microfacet/historical.rs";
 const IERFC: &str = "src/real/math/ierfc.rs";
 const MEAN_MAGNITUDE: &str = "src/real/math/mean_magnitude.rs";
@@ -44,7 +45,7 @@ pub(super) static MUTANTS: [Mutant; 39] = [
     Mutant::new("Beckmann", "tan²α drawn for tanα", SLOPES,
         "let tan = tan_squared.min(T::lit(40.0)).▸sqrt();", Sqrt, LEFT),
     Mutant::new("Beckmann", "visible slopes turned the wrong way", SLOPES,
-        "T::select(tilted, ▸along * cos_phi - across * sin_phi, x)", Sub, PLUS),
+        "(▸along * cos_phi - across * sin_phi, along * sin_phi", Sub, PLUS),
     Mutant::new("GGX", "power 1 for 2", GGX,
         "quotient.▸squared()", Squared, LEFT),
     Mutant::new("GGX", "the axes of an anisotropic surface exchanged", ROUGHNESS,
@@ -86,10 +87,10 @@ pub(super) static MUTANTS: [Mutant; 39] = [
     Mutant::new("V-cavity", "the larger of masking and shadowing", V_CAVITY,
         "let denominator = larger * (smaller * pair.cos_h).▸max(half_cos_d(pair));", Max,
         |left, right, _| left.min(right)),
-    Mutant::new("V-cavity", "sign in Kepler's equation", V_CAVITY,
-        "let value = ▸x - a * sin + b * one_minus_cos - target;", Sub, PLUS),
-    Mutant::new("V-cavity", "azimuth counted from the front", V_CAVITY,
-        "    (▸-cos, sin.copysign(signed))", Neg, LEFT),
+    Mutant::new("V-cavity", "sign in Kepler's equation", GROOVES,
+        "        ▸x - self.a * sin + self.b * versine - self.target", Sub, PLUS),
+    Mutant::new("V-cavity", "azimuth counted from the front", GROOVES,
+        "let (cos_behind, sin_behind) = (▸-cos_first, sin_first * side);", Neg, LEFT),
     Mutant::new("Smith", "f without ½", SMITH,
         "(▸T::lit(0.5) / (pair.cos_o * area_i + pair.cos_i * area_o))", Literal, ONE),
     Mutant::new("Smith", "density without the ½", SMITH,
