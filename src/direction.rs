@@ -78,7 +78,7 @@ impl<T: Real> Pair<T> {
     #[inline(always)]
     pub(crate) fn sum(wi: T::Vec3, wo: T::Vec3) -> T::Vec3 {
         let sum = wi + wo;
-        Vector::new(sum.x(), sum.y(), sum.z().max(T::lit(FLOOR)))
+        Vector::new(sum.x(), sum.y(), sum.z().max(least_height::<T>()))
     }
 
     /// The same where it is known already which pairs are above the surface.
@@ -97,6 +97,12 @@ impl<T: Real> Pair<T> {
 
 /// 2⁻⁶⁰. A power of two, so that the length of such a sum has an exact reciprocal.
 const FLOOR: f64 = 1.0 / (1_u64 << 60) as f64;
+
+/// The least z of a vector along a half vector.
+#[inline(always)]
+pub(crate) fn least_height<T: Real>() -> T {
+    T::lit(FLOOR)
+}
 
 /// How far the squared length of a direction may lie off 1.
 const LENGTH_TOLERANCE: f64 = 0.01;

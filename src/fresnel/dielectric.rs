@@ -299,6 +299,21 @@ pub(crate) fn split<T: Real>(ior: T, cos_theta: T) -> [T; 2] {
     [interface.unpolarized(), transmitted]
 }
 
+/// What a transparent medium of an index other than 1 reflects of unpolarised light or, where the mask
+/// is true, transmits: one of [`split`], by one division.
+#[inline(always)]
+pub(crate) fn part<T: Real>(ior: T, cos_theta: T, transmitted: T::Mask) -> T {
+    let Interface { difference, eta_squared, sum_squared, cosines, sines, total } =
+        Interface::new(ior, cos_theta);
+    let (zero, one, sum) = (T::zero(), T::one(), cosines + sines);
+    let through = (cosines + cosines) * (sum.squared() + eta_squared) * sum_squared;
+    let back = difference.squared() * (cosines.squared() + sines.squared());
+    let part = T::select(transmitted, through, back) / (sum_squared * sum).squared();
+    // At most 1, but for rounding and in total reflection.
+    let all = T::select(transmitted, zero, part.min(one).held());
+    T::select(total, all, part.at_most(one))
+}
+
 /// The same of each polarisation: reflected and transmitted.
 #[inline(always)]
 pub(crate) fn split_polarized<T: Real>(ior: T, cos_theta: T) -> [Polarized<T>; 2] {

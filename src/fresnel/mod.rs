@@ -32,7 +32,7 @@ pub(crate) use belcour_barla::xyz_in_linear_srgb;
 pub use conductor::{Conductor, conductor_polarized};
 pub use constant::Constant;
 pub use dielectric::{Dielectric, dielectric_polarized};
-pub(crate) use dielectric::{average as dielectric_average, split, split_polarized};
+pub(crate) use dielectric::{average as dielectric_average, part, split, split_polarized};
 pub use f82::{F82, F82Tint};
 pub use general_schlick::GeneralSchlick;
 pub use gulbrandsen::Gulbrandsen;

@@ -5,13 +5,14 @@ mod any;
 mod beta;
 mod calls;
 mod crossed;
-mod crossing;
+mod facet;
 mod mirror;
 mod opaque;
 mod plastic;
-mod refracted;
+
 mod retro_reflector;
 mod rough;
+mod scattered;
 mod side;
 mod smooth;
 mod split_schlick;

@@ -1,12 +1,12 @@
 use super::crossed::RefractedShadowing;
-use super::refracted::Refracted;
+use super::scattered::Scattered;
 use super::side::{Viewer, refraction_scale};
 use crate::bsdf::{Bsdf, BsdfSample, Lobe, Lobes, Power, TransportMode, never};
-use crate::direction::{facing, off_surface, refracted_cosine, turned_over};
+use crate::direction::{off_surface, refracted_cosine, turned_over};
 use crate::distribution::Smith;
 use crate::error::{ParameterError, range};
-use crate::fresnel::split;
-use crate::microfacet::SmithCorrelated;
+use crate::fresnel::part;
+use crate::microfacet::{SmithCorrelated, mirror_pair};
 #[cfg(feature = "serde")]
 use crate::parameter::{Parameter, model};
 use crate::quadrature::integrate;
@@ -150,11 +150,16 @@ lift! {
 /// Panels of the heights of visible normals in [`Bsdf::power`].
 const PANELS: u32 = 16;
 
-/// What happens on a facet with the normal `h`: the draws of both events.
-struct Draws<T: Real> {
+/// A facet that a viewer sees.
+struct Seen<T: Real> {
+    /// The viewer, turned over to the upper side.
+    facing: T::Vec3,
+    /// The normal of the facet.
+    h: T::Vec3,
+    /// The cosine of the angle between them.
+    cos: T,
+    /// What the facet reflects and transmits.
     powers: [T; 2],
-    reflected: BsdfSample<T, T>,
-    refracted: BsdfSample<T, T>,
 }
 
 impl<T, D, S, C> RoughDielectric<D, S, C, T>
@@ -171,51 +176,51 @@ where
         self.ior.le(one).and(self.ior.ge(one))
     }
 
-    /// The reflectance of a facet at a cosine, seen from above or below.
     #[inline(always)]
-    fn facet(&self, below: T::Mask, cos: T) -> [T; 2] {
-        split(self.ior, T::select(below, -cos, cos))
+    fn scattered(&self, wi: T::Vec3, wo: T::Vec3) -> Scattered<'_, T, D, S> {
+        Scattered::new(&self.distribution, &self.shadowing, self.ior, [wi, wo])
     }
 
+    /// A facet that the viewer sees.
     #[inline(always)]
-    fn refracted(&self, wi: T::Vec3, wo: T::Vec3) -> Refracted<T> {
-        Refracted::new(&self.distribution, self.ior, wi, wo)
-    }
-
-    #[inline(always)]
-    fn draws(&self, viewer: &Viewer<T>, [x, y]: [T; 2], mode: TransportMode) -> Draws<T> {
+    fn seen(&self, viewer: &Viewer<T>, [x, y]: [T; 2]) -> Seen<T> {
         let (zero, one) = (T::zero(), T::one());
-        let below = viewer.below;
-        let facing: T::Vec3 = turned_over::<T, _>(below, viewer.wo);
+        let facing: T::Vec3 = turned_over::<T, _>(viewer.below, viewer.wo);
         let h = self.shadowing.sample_visible(&self.distribution, facing, [x, y]);
         let cos = Vector::dot(facing, h).max(zero).at_most(one);
+        let signed = T::select(viewer.below, -cos, cos);
+        let part = |transmitted: T::Mask| part(self.ior, signed, transmitted);
+        let powers = [part(never::<T>()), part(never::<T>().not())];
+        Seen { facing, h, cos, powers }
+    }
 
-        let draw = self.shadowing.mirror(&self.distribution, facing, h);
-        let [reflectance, _] = self.facet(below, draw.weight.cos);
-        let reflected = BsdfSample {
-            wi: turned_over::<T, _>(below, draw.wi),
-            weight: draw.weight.scale,
-            pdf: (draw.pdf * reflectance).min(T::max_finite()),
-            specular: never::<T>(),
-        };
-
+    /// The draw of what a facet mirrors or, where the mask is true, refracts.
+    #[inline(always)]
+    fn drawn(
+        &self,
+        viewer: &Viewer<T>,
+        seen: &Seen<T>,
+        refracts: T::Mask,
+        mode: TransportMode,
+    ) -> BsdfSample<T, T> {
+        let (zero, one) = (T::zero(), T::one());
+        let Seen { facing, h, cos, .. } = *seen;
         let far_over_near = viewer.far_over_near(self.ior);
         let inverse = one / far_over_near;
         let sin_squared = Vector::length_squared(Vector::cross(facing, h));
         let (cos_t, _) = refracted_cosine(cos, sin_squared, inverse);
         let through: T::Vec3 = h * (cos * inverse - cos_t) - facing * inverse;
-        let down = through.z().lt(zero).and(off_surface::<T, _>(through));
-        let through = turned_over::<T, _>(below, through);
-        let parts = self.refracted(through, viewer.wo);
-        let weight = parts.weight::<D, S>(&self.shadowing, below);
-        let refracted = BsdfSample {
-            wi: through,
-            weight: weight * refraction_scale(far_over_near, mode),
-            pdf: parts.pdf(self.ior, below),
-            specular: never::<T>(),
-        };
-        let refracted = refracted.only_where(down);
-        Draws { powers: self.facet(below, cos), reflected, refracted }
+        let light: T::Vec3 = Vector::select(refracts, through, mirror_pair::<T>(facing, h).wi);
+        // Nothing is mirrored to the far side, nor refracted to the near one.
+        let down = light.z().lt(zero);
+        let exists =
+            off_surface::<T, _>(light).and(refracts.and(down).or(refracts.not().and(down.not())));
+
+        let wi = turned_over::<T, _>(viewer.below, light);
+        let scattered = self.scattered(wi, viewer.wo);
+        let scale = T::select(refracts, refraction_scale(far_over_near, mode), one);
+        let (weight, pdf) = (scattered.weight() * scale, scattered.pdf());
+        BsdfSample { wi, weight, pdf, specular: never::<T>() }.only_where(exists)
     }
 }
 
@@ -233,15 +238,7 @@ where
         let value = in_place!(
             T,
             #[inline(always)]
-            || {
-                let (below, [light, viewer]) = facing::<T>(wi, wo);
-                let mirrored = self.shadowing.mirrored(&self.distribution, light, viewer);
-                let [reflectance, _] = self.facet(below, mirrored.cos);
-                let refracted = self.refracted(wi, wo);
-                let refracted = refracted.value::<D, S>(&self.shadowing, self.ior, below, mode);
-                // One of them is 0.
-                reflectance * mirrored.scale + refracted
-            },
+            || self.scattered(wi, wo).value(mode),
         );
         self.white * value
     }
@@ -251,15 +248,7 @@ where
         in_place!(
             T,
             #[inline(always)]
-            || {
-                let (below, [light, viewer]) = facing::<T>(wi, wo);
-                let mirrored = self.shadowing.mirrored(&self.distribution, light, viewer);
-                let [reflectance, _] = self.facet(below, mirrored.cos);
-                let pdf = self.shadowing.pdf(&self.distribution, light, viewer);
-                let refracted = self.refracted(wi, wo).pdf(self.ior, below);
-                // One of them is 0.
-                (pdf * reflectance).min(T::max_finite()) + refracted
-            },
+            || self.scattered(wi, wo).pdf(),
         )
     }
 
@@ -267,15 +256,18 @@ where
     fn sample(&self, wo: T::Vec3, [x, y, u]: [T; 3], mode: TransportMode) -> BsdfSample<T, C> {
         let (zero, one) = (T::zero(), T::one());
         let viewer = Viewer::<T>::new(wo);
-        let Draws { powers: [reflectance, transmittance], reflected, refracted } = in_place!(
+        let rough = in_place!(
             T,
             #[inline(always)]
-            || self.draws(&viewer, [x, y], mode),
+            || {
+                let seen = self.seen(&viewer, [x, y]);
+                let [reflectance, transmittance] = seen.powers;
+                let refracts = u.clamp(zero, one).ge(reflectance).and(transmittance.gt(zero));
+                self.drawn(&viewer, &seen, refracts, mode)
+            },
         );
-        let back = u.clamp(zero, one).lt(reflectance).or(transmittance.le(zero));
         let straight =
             BsdfSample { wi: viewer.opposite(), weight: one, pdf: zero, specular: viewer.exists };
-        let rough = BsdfSample::choose(back, reflected, refracted);
         let BsdfSample { wi, weight, pdf, specular } =
             BsdfSample::choose(self.is_none(), straight, rough).only_where(viewer.exists);
         BsdfSample { wi, weight: self.white * weight, pdf, specular }
@@ -293,13 +285,12 @@ where
         let viewer = Viewer::<T>::new(wo);
         let (zero, one) = (T::zero(), T::one());
         let both = |x: T, y: T| {
-            let draws = self.draws(&viewer, [x, y], TransportMode::Importance);
-            let [reflected, refracted] = [draws.reflected.weight, draws.refracted.weight];
-            <T::Vec3 as Vector<T>>::new(
-                draws.powers[0] * reflected,
-                draws.powers[1] * refracted,
-                zero,
-            )
+            let seen = self.seen(&viewer, [x, y]);
+            let [mirrored, refracted] = [never::<T>(), never::<T>().not()].map(|refracts| {
+                self.drawn(&viewer, &seen, refracts, TransportMode::Importance).weight
+            });
+            let [reflectance, transmittance] = seen.powers;
+            <T::Vec3 as Vector<T>>::new(reflectance * mirrored, transmittance * refracted, zero)
         };
         // Where facets begin to reflect totally, the integrand has a root: short panels.
         let panel = |index: u32, x: T| {

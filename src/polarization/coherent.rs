@@ -3,7 +3,7 @@ use alloc::vec::Vec;
 use super::amplitudes::Amplitudes;
 use super::complex::Complex;
 use super::medium::{Incidence, Medium, check_index};
-use super::wave::Wave;
+use super::wave::{Wave, reflectance, reflected};
 use crate::block::{BLOCK, CosineBlock, Plane};
 use crate::error::{ParameterError, Range, range};
 use crate::real::{Lift, Real};
@@ -142,6 +142,9 @@ impl<T: Real> Layers<T> {
     #[must_use]
     pub fn reflectance(&self, cos_theta: T) -> T {
         let incidence = self.incidence(cos_theta);
+        if let Some(film) = self.clear_film() {
+            return self.over_clear(film, &incidence);
+        }
         match self.below(&incidence) {
             Some((first, wave)) => self.whole(&incidence, first, wave),
             None => self.bare(&incidence),
@@ -159,6 +162,13 @@ impl<T: Real> Layers<T> {
                 |index| [self.bare(&self.incidence(cosines.cos(index)))],
             );
         };
+        if let Some(film) = self.clear_film() {
+            return cosines.numbers(
+                values,
+                #[inline(always)]
+                |index| [self.over_clear(film, &self.incidence(cosines.cos(index)))],
+            );
+        }
         if films.is_empty() {
             return cosines.numbers(
                 values,
@@ -235,6 +245,35 @@ impl<T: Real> Layers<T> {
     fn whole(&self, incidence: &Incidence<T>, first: &Medium<T>, wave: Wave<T>) -> T {
         let (outside, front) = (self.outside, self.outside * incidence.cos);
         self.bounded(wave.reflectance_above(incidence, first, outside, front))
+    }
+
+    /// The one film, where nothing absorbs or reflects totally.
+    #[inline(always)]
+    fn clear_film(&self) -> Option<&Film<T>> {
+        let [film] = self.films.as_slice() else { return None };
+        let clear = film.medium.is_clear(self.outside) && self.substrate.is_clear(self.outside);
+        clear.then_some(film)
+    }
+
+    /// The reflectance of the whole with this [clear film](Self::clear_film): all but its phase is real.
+    #[inline(always)]
+    fn over_clear(&self, film: &Film<T>, incidence: &Incidence<T>) -> T {
+        let Film { medium, waves } = film;
+        let tangential = incidence.tangential_squared.re;
+        let [normal, bottom] = [medium, &self.substrate].map(
+            #[inline(always)]
+            |medium| medium.clear_normal(incidence),
+        );
+        let (below, _) = reflected(self.substrate.contrast.re, tangential, [normal, bottom]);
+        let turns = normal * *waves;
+        let round_trip = Complex::from_turns(T::one(), turns + turns);
+        let front = self.outside.re * incidence.cos;
+        let (above, _) = reflected(medium.contrast.re, tangential, [front, normal]);
+        let returned = below.map(
+            #[inline(always)]
+            |r| round_trip * r,
+        );
+        self.bounded(reflectance(above, returned))
     }
 
     /// The reflectance without any layer.

@@ -2,7 +2,7 @@
 
 use super::complex::Complex;
 use crate::error::{ParameterError, range};
-use crate::real::Real;
+use crate::real::{Mask, Real};
 
 /// Whether both parts of an index are in their ranges.
 pub(crate) fn check_index<T: Real>(
@@ -85,5 +85,23 @@ impl<T: Real> Medium<T> {
             self.above_outside + incidence.normal_squared,
         )
         .root()
+    }
+
+    /// Whether q is real at every angle: in no number of which more is asked than its value.
+    #[inline(always)]
+    pub(super) fn is_clear(&self, outside: Complex<T>) -> bool {
+        let (zero, index) = (T::zero(), self.index);
+        let clear = index.im.le(zero).and(outside.im.le(zero)).and(index.re.ge(outside.re));
+        T::VECTORIZES && clear.not().is_never()
+    }
+
+    /// The real part of [`normal`](Self::normal) where the medium [is clear](Self::is_clear), with the
+    /// same bits.
+    #[inline(always)]
+    pub(super) fn clear_normal(&self, incidence: &Incidence<T>) -> T {
+        let squared = self.above_outside.re + incidence.normal_squared.re;
+        // √x² = x.
+        let modulus = squared.max(Complex::<T>::floor().sqrt());
+        ((modulus + squared) * T::lit(0.5)).sqrt()
     }
 }

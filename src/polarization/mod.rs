@@ -39,6 +39,7 @@
 //! # Ok::<(), brdf::ParameterError>(())
 //! ```
 
+mod amplitude;
 mod amplitudes;
 mod bounces;
 mod coherent;

@@ -2,6 +2,7 @@
 
 use core::f64::consts::TAU;
 
+use super::amplitude::Amplitude;
 use super::amplitudes::Amplitudes;
 use super::complex::Complex;
 use super::medium::{Incidence, Medium};
@@ -36,29 +37,52 @@ impl<T: Real> Boundary<T> {
         index: Complex<T>,
         normal: Complex<T>,
     ) -> Self {
-        let (product, tangential) = (normal * bottom, incidence.tangential_squared);
-        let sum = normal + bottom;
-        let [inverse, parallel] = inverses(sum.squared(), product + tangential);
-        let s = behind.contrast * inverse;
-        let p = s * (tangential - product) * parallel;
+        let (Polarized { s, p }, parallel) =
+            reflected(behind.contrast, incidence.tangential_squared, [normal, bottom]);
         // Where the reflection is asked for alone, this is not computed.
-        let through_s = sum.inverse();
+        let through_s = (normal + bottom).inverse();
         let through_p = through_s * parallel * (index * behind.index);
         let contrast = behind.contrast.re.abs() + behind.contrast.im.abs();
         Self { s, p, through_s, through_p, none: contrast.le(T::zero()) }
     }
 }
 
+/// ρ of a boundary of a contrast n₁² − n₂², of κ² and both q, and 1/(q₁q₂ + κ²).
+#[inline(always)]
+pub(super) fn reflected<T: Real, Z: Amplitude<T>>(
+    contrast: Z,
+    tangential: Z,
+    [normal, bottom]: [Z; 2],
+) -> (Polarized<Z>, Z) {
+    let product = normal * bottom;
+    let [inverse, parallel] = inverses((normal + bottom).squared(), product + tangential);
+    let s = contrast * inverse;
+    (Polarized { s, p: s * (tangential - product) * parallel }, parallel)
+}
+
+/// (R_s + R_p)/2 of a boundary that reflects ρ in front of what returns `r`.
+#[inline(always)]
+pub(super) fn reflectance<T: Real, Z: Amplitude<T>>(
+    Polarized { s, p }: Polarized<Z>,
+    r: Polarized<Complex<T>>,
+) -> T {
+    let one = T::one();
+    let above = [s.plus(r.s).norm_squared(), p.plus(r.p).norm_squared()];
+    let below = [one.plus(s.times(r.s)).norm_squared(), one.plus(p.times(r.p)).norm_squared()];
+    let sum = above[0] * below[1] + above[1] * below[0];
+    sum * T::lit(0.5) / (below[0] * below[1]).max(Complex::floor())
+}
+
 /// 1/a and 1/b by one division, of numbers whose squares neither overflow nor underflow together.
 #[inline(always)]
-fn inverses<T: Real>(a: Complex<T>, b: Complex<T>) -> [Complex<T>; 2] {
+fn inverses<T: Real, Z: Amplitude<T>>(a: Z, b: Z) -> [Z; 2] {
     // No boundary of passive media comes near the bound, which keeps the product finite.
     let bound = T::lit(1e18);
-    let (a_squared, b_squared) = (a.norm_squared().min(bound), b.norm_squared().min(bound));
+    let (a_squared, b_squared) = (a.length_squared().min(bound), b.length_squared().min(bound));
     let scale = T::one() / (a_squared * b_squared).max(Complex::floor());
     // Where the floor acts, one of them is next to 0 and the quotient must stay finite.
     let most = T::max_finite();
-    [a.conj() * (b_squared * scale).min(most), b.conj() * (a_squared * scale).min(most)]
+    [a.mirrored((b_squared * scale).min(most)), b.mirrored((a_squared * scale).min(most))]
 }
 
 /// What is known of all that lies below a plane in a medium.
@@ -133,11 +157,7 @@ impl<T: Real> Wave<T> {
         normal: Complex<T>,
     ) -> T {
         let Boundary { s, p, .. } = Boundary::new(incidence, behind, self.normal, index, normal);
-        let one = Complex::real(T::one());
-        let above = [(s + self.r.s).norm_squared(), (p + self.r.p).norm_squared()];
-        let below = [(one + s * self.r.s).norm_squared(), (one + p * self.r.p).norm_squared()];
-        let sum = above[0] * below[1] + above[1] * below[0];
-        sum * T::lit(0.5) / (below[0] * below[1]).max(Complex::floor())
+        reflectance(Polarized { s, p }, self.r)
     }
 
     /// At the top of a layer that is this many wavelengths thick, from the boundary at its bottom.
