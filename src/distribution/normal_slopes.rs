@@ -58,9 +58,12 @@ fn visible_slope<T: Real>(cos: T, sin: T, inverse_sin: T, u: T) -> T {
     let whole = cos + cos + beyond;
     let (part, rest) = (u * whole, rest * whole);
     let equation = Equation { cos, sin, inverse_sin, part, rest: rest - beyond };
-    // C ends in a parabola, which is steepest if exp(−x²) is 1: x cannot be closer to the end.
+    // C ends in a parabola. It is steepest if exp(−x²) is 1: x cannot be closer to the end; and flattest if x is
+    // at the end, where x is close to it: x cannot be further from it.
     let to_end = (rest * inverse_sin * T::lit(SQRT_PI)).sqrt();
-    let first = first_guess(cos, sin, part).min(largest - T::lit(1.2) * to_end);
+    let flattest = (largest.squared().min(T::lit(80.0)) * T::lit(0.5)).exp();
+    let least = T::select(u.gt(T::lit(0.9)), largest - to_end * flattest, -T::max_finite());
+    let first = first_guess(cos, sin, u).max(least).min(largest - T::lit(1.2) * to_end).held();
     let x = if T::SPACING > 1e-9 {
         iterate::<2, _>(
             first,
@@ -121,20 +124,32 @@ impl<T: Real> Equation<T> {
     }
 }
 
-/// A slope within 0.4 of the one with K = `part`, if that is below the largest one.
+/// A slope within 0.2 of the one that belongs to `u`, or 0.5 where `u` is within 10⁻³ of 1.
 ///
-/// If exp(−x²)/√π were 2a(1 − a) with a = erfc(−x)/2, K were a polynomial of second degree in a. The
-/// inverse of the error function, to 0.01: x² from −ln(4a(1 − a)).
+/// Two slopes that wait for `u` alone are those of a viewer at the normal and at grazing, q = erf⁻¹(2u − 1), here to
+/// 0.01 from −ln(4u(1 − u)), and g = −√(−ln u). Between them lies the mean (q R cos + g sin)/(R cos + sin), whose R
+/// is nearly 1: a polynomial in q and sin, by least squares.
 #[inline(always)]
-fn first_guess<T: Real>(cos: T, sin: T, part: T) -> T {
+fn first_guess<T: Real>(cos: T, sin: T, u: T) -> T {
     let (zero, one) = (T::zero(), T::one());
-    let both = cos + sin;
-    let a = part / (both + (both.squared() - (part + part) * sin).max(zero).sqrt());
-    let product = T::lit(4.0) * a * (one - a).max(T::lit(0.25 * T::SPACING));
-    let ln = -product.ln();
+    let ln = -(T::lit(4.0) * u * (one - u).max(T::lit(0.25 * T::SPACING))).ln();
     let squared = ln * (T::lit(0.785) + T::lit(0.1) * ln) / (one + T::lit(0.1) * ln);
-    squared.max(zero).sqrt().copysign(a - T::lit(0.5))
+    let q = squared.max(zero).sqrt().copysign(u - T::lit(0.5));
+    let g = -(-u.ln()).max(zero).sqrt();
+    let square = q.squared();
+    let of_q =
+        |[a, b, c, d]: [f64; 4]| (T::lit(a) + T::lit(b) * q) + square * (T::lit(c) + T::lit(d) * q);
+    let [flat, first, second] = FIRST.map(of_q);
+    let weight = cos * (flat + sin * (first + sin * second)).max(T::lit(0.1));
+    (q * weight + g * sin) / (weight + sin)
 }
+
+/// R of [`first_guess`]: for each power of sin the powers of q.
+const FIRST: [[f64; 4]; 3] = [
+    [5.5103521, -1.4050210, -0.0069938941, 0.0257336887],
+    [-8.9858984, 2.1615853, 0.1278306868, -0.0702791299],
+    [4.5099801, -1.0753769, -0.0963845352, 0.0477180555],
+];
 
 const FRAC_1_SQRT_PI: f64 = 0.5 * FRAC_2_SQRT_PI;
 const SQRT_PI: f64 = 2.0 / FRAC_2_SQRT_PI;
