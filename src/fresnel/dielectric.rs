@@ -309,9 +309,8 @@ pub(crate) fn part<T: Real>(ior: T, cos_theta: T, transmitted: T::Mask) -> T {
     let through = (cosines + cosines) * (sum.squared() + eta_squared) * sum_squared;
     let back = difference.squared() * (cosines.squared() + sines.squared());
     let part = T::select(transmitted, through, back) / (sum_squared * sum).squared();
-    // At most 1, but for rounding and in total reflection.
-    let all = T::select(transmitted, zero, part.min(one).held());
-    T::select(total, all, part.at_most(one))
+    // At most 1, but for rounding.
+    T::select(total, T::select(transmitted, zero, one), part.at_most(one))
 }
 
 /// The same of each polarisation: reflected and transmitted.

@@ -29,14 +29,25 @@ impl<T: Real> Facet<T> {
     /// both are on one side, M is their sum.
     #[inline(always)]
     pub(super) fn new(wi: T::Vec3, wo: T::Vec3, ior: T) -> Self {
-        let (zero, one) = (T::zero(), T::one());
-        let normal = <T::Vec3 as Vector<T>>::new(zero, zero, one);
         let exist = off_surface::<T, _>(wi).and(off_surface::<T, _>(wo));
+        let normal = <T::Vec3 as Vector<T>>::new(T::zero(), T::zero(), T::one());
         let [wi, wo]: [T::Vec3; 2] = [wi, wo].map(
             #[inline(always)]
             |w| Vector::select(exist, w, normal),
         );
-        let (below, [light, viewer]) = facing::<T>(wi, wo);
+        let (below, facing) = facing::<T>(wi, wo);
+        Self::facing(exist, below, facing, ior)
+    }
+
+    /// Of both as the side of the viewer sees them, where the first mask says that they are directions.
+    #[inline(always)]
+    pub(super) fn facing(
+        exist: T::Mask,
+        below: T::Mask,
+        [light, viewer]: [T::Vec3; 2],
+        ior: T,
+    ) -> Self {
+        let (zero, one) = (T::zero(), T::one());
         let crosses = light.z().lt(zero);
         let light: T::Vec3 = Vector::new(light.x(), light.y(), light.z().abs());
 

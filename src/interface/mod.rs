@@ -5,6 +5,7 @@ mod any;
 mod beta;
 mod calls;
 mod crossed;
+mod drawn;
 mod facet;
 mod mirror;
 mod opaque;

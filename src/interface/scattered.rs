@@ -2,6 +2,7 @@
 //! directions.
 
 use super::crossed::RefractedShadowing;
+use super::drawn::Facets;
 use super::facet::Facet;
 use crate::bsdf::TransportMode;
 use crate::distribution::Smith;
@@ -12,33 +13,21 @@ use crate::real::{Mask, Real};
 /// 1 + Λ up to which refracted light is followed: beyond it there is next to none.
 const HIDDEN: f64 = 1e9;
 
-/// A pair of directions, of facets with a distribution and a shadowing.
+/// A pair of directions and the facet between them.
 pub(super) struct Scattered<'a, T: Real, D, S> {
-    distribution: &'a D,
-    shadowing: &'a S,
-    ior: T,
-    facet: Facet<T>,
+    pub(super) facets: &'a Facets<'a, T, D, S>,
+    pub(super) facet: Facet<T>,
 }
 
-impl<'a, T: Real, D: Smith<T>, S: RefractedShadowing<T, D>> Scattered<'a, T, D, S> {
-    #[inline(always)]
-    pub(super) fn new(
-        distribution: &'a D,
-        shadowing: &'a S,
-        ior: T,
-        [wi, wo]: [T::Vec3; 2],
-    ) -> Self {
-        Self { distribution, shadowing, ior, facet: Facet::new(wi, wo, ior) }
-    }
-
+impl<T: Real, D: Smith<T>, S: RefractedShadowing<T, D>> Scattered<'_, T, D, S> {
     /// F D or, where light passes, (1 − F) D times the spread of directions.
     #[inline(always)]
     fn scale(&self) -> T {
         let Facet { pair, below, passes, spread, .. } = self.facet;
         let mirrors_below = below.and(passes.not());
         let cos = T::select(mirrors_below, -pair.cos_d, pair.cos_d);
-        let density = self.distribution.density_along(pair.sum);
-        (part(self.ior, cos, passes) * spread * density).min(T::max_finite())
+        let density = self.facets.distribution.density_along(pair.sum);
+        (part(self.facets.ior, cos, passes) * spread * density).min(T::max_finite())
     }
 
     /// G/(G₁(wi) G₁(wo)) of light that passes.
@@ -53,25 +42,25 @@ impl<'a, T: Real, D: Smith<T>, S: RefractedShadowing<T, D>> Scattered<'a, T, D, 
         let inverse = one / (cos_i * cos_o);
         // 1 + Λ = (A/N·w + 1)/2.
         let hidden = |w: T::Vec3, over_cos: T| {
-            let area = self.distribution.projected_area(w);
+            let area = self.facets.distribution.projected_area(w);
             (area * over_cos * half + half).min(T::lit(HIDDEN))
         };
         let [light, viewer] = [hidden(pair.wi, inverse * cos_o), hidden(pair.wo, inverse * cos_i)];
-        self.shadowing.refracted([light, viewer])
+        self.facets.shadowing.refracted([light, viewer])
     }
 
     /// The value.
     #[inline(always)]
     pub(super) fn value(&self, mode: TransportMode) -> T {
-        let (one, squared, largest) = (T::one(), self.ior.squared(), T::max_finite());
+        let (one, squared, largest) = (T::one(), self.facets.ior.squared(), T::max_finite());
         let Facet { pair, below, passes, .. } = self.facet;
-        let mirrored = self.shadowing.visibility(self.distribution, &pair);
+        let mirrored = self.facets.shadowing.visibility(self.facets.distribution, &pair);
         // G/(4 N·wi N·wo) of what passes is that of independent directions times what the beta function
         // adds, and there is no 4 in it.
         let visibility = if passes.is_never() {
             mirrored
         } else {
-            let separate = SmithSeparable.visibility(self.distribution, &pair);
+            let separate = SmithSeparable.visibility(self.facets.distribution, &pair);
             let refracted = self.refracted() * T::lit(4.0) * separate;
             T::select(passes, refracted, mirrored)
         };
@@ -90,9 +79,9 @@ impl<'a, T: Real, D: Smith<T>, S: RefractedShadowing<T, D>> Scattered<'a, T, D, 
     pub(super) fn pdf(&self) -> T {
         let (one, four, largest) = (T::one(), T::lit(4.0), T::max_finite());
         let Facet { pair, below, passes, .. } = self.facet;
-        let density = self.scale() * self.shadowing.masking(self.distribution, &pair);
+        let density = self.scale() * self.facets.shadowing.masking(self.facets.distribution, &pair);
         // 4 n_i².
-        let turned = T::select(below, four, four * self.ior.squared());
+        let turned = T::select(below, four, four * self.facets.ior.squared());
         let turned = T::select(passes, turned, one);
         (density.min(largest) * turned).min(largest).only_where(pair.above)
     }
@@ -102,8 +91,9 @@ impl<'a, T: Real, D: Smith<T>, S: RefractedShadowing<T, D>> Scattered<'a, T, D, 
     #[inline(always)]
     pub(super) fn weight(&self) -> T {
         let Facet { pair, crosses, .. } = self.facet;
-        let mirrored = self.shadowing.unshadowed(self.distribution, &pair);
-        let refracted = self.refracted() * SmithSeparable.unshadowed(self.distribution, &pair);
+        let mirrored = self.facets.shadowing.unshadowed(self.facets.distribution, &pair);
+        let refracted =
+            self.refracted() * SmithSeparable.unshadowed(self.facets.distribution, &pair);
         T::select(crosses, refracted, mirrored)
     }
 }

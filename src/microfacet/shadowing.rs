@@ -328,7 +328,7 @@ pub(super) fn pdf_of<T: Real>(pair: &Pair<T>, density: T, masking: T) -> T {
 
 /// A viewer and what a facet of a normal of any length mirrors to it. Nothing waits for the normal's root.
 #[inline(always)]
-pub(crate) fn mirror_pair<T: Real>(viewer: T::Vec3, normal: T::Vec3) -> Pair<T> {
+pub(super) fn mirror_pair<T: Real>(viewer: T::Vec3, normal: T::Vec3) -> Pair<T> {
     let above = above_surface::<T, _>(viewer);
     let wo = above_or_normal::<T, _>(viewer);
     let length_squared = Vector::length_squared(normal);
