@@ -54,8 +54,8 @@ pub struct Layer<V = f32, T = V> {
 /// more of rounding, up to some 10⁻¹² in random stacks.
 ///
 /// In `f32` the phase 4π q d/λ carries the rounding of its own size. R of one film is within 2·10⁻⁶ of
-/// `f64` for d ≤ λ (on metals, glass and in air, cosθ ≥ 0.1), and grows from there with d, faster where
-/// both surfaces reflect much: 10⁻⁵ at ten wavelengths of an oxide on a metal. Eight quarter-wave pairs
+/// `f64` for d ≤ λ on glass and in air (cosθ ≥ 0.1), within 4·10⁻⁶ on metals with k up to 5, and grows
+/// from there with d, faster where both surfaces reflect much: 10⁻⁵ at ten wavelengths of an oxide on a metal. Eight quarter-wave pairs
 /// are at 4·10⁻⁶, 32 pairs at 10⁻⁴.
 ///
 /// # Sources

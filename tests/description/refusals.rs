@@ -467,7 +467,12 @@ fn every_mistake_names_its_place() {
                 }
                 Value::String(_) => {
                     let word = |value: &mut Value| *value = json!("?");
-                    refused(spot, &word, ": unknown name \"?\", expected one of ");
+                    let message = if spot.path.ends_with(".material") {
+                        ": no material is called \"?\""
+                    } else {
+                        ": unknown name \"?\", expected one of "
+                    };
+                    refused(spot, &word, message);
                 }
                 Value::Bool(_) => {
                     refused(spot, &|value| *value = json!(1), ": invalid type: integer `1`");
