@@ -21,21 +21,24 @@ pub(super) fn slopes<T: Real>(u: [T; 2]) -> (T, T) {
 /// length does not matter.
 #[inline(always)]
 pub(super) fn visible_slopes<T: Real>(s: T::Vec3, u: [T; 2]) -> (T, T) {
+    let (x, y) = slopes(u);
     let (u, one) = (uniform(u), T::one());
     let across_squared = s.x().squared() + s.y().squared();
-    // Seen from the normal there is no azimuth, and any will do. Roots and quotients, not reciprocal roots: a
-    // call is done sooner with them.
+    // Seen from the normal all slopes count alike, and there is no azimuth to turn them to. Roots and
+    // quotients, not reciprocal roots: a call is done sooner with them.
     let tilted = across_squared.gt(T::lit(1e-36));
-    let across_squared = T::select(tilted, across_squared, T::lit(1e-36));
+    let across_squared = T::select(tilted, across_squared, one);
     let along_s = across_squared.sqrt();
     let length = (across_squared + s.z().squared()).sqrt();
     let (inverse_across, inverse_length) = (one / along_s, one / length);
-    let cos_phi = T::select(tilted, s.x() * inverse_across, one);
-    let sin_phi = (s.y() * inverse_across).only_where(tilted);
+    let (cos_phi, sin_phi) = (s.x() * inverse_across, s.y() * inverse_across);
     let (cos, sin) = (s.z() * inverse_length, along_s * inverse_length);
     let along = visible_slope(cos, sin, length * inverse_across, u[0]);
     let across = (u[1] * T::lit(2.0) - one).erf_inv();
-    (along * cos_phi - across * sin_phi, along * sin_phi + across * cos_phi)
+    (
+        T::select(tilted, along * cos_phi - across * sin_phi, x),
+        T::select(tilted, along * sin_phi + across * cos_phi, y),
+    )
 }
 
 /// The slope x ≤ cos/sin towards a viewer at angle (cos, sin) whose distribution function

@@ -228,8 +228,8 @@ pub trait Real:
     #[must_use]
     fn exp(self) -> Self;
     /// 2⁻ˣ times a positive `factor`, for `self` = x ≥ 0 and a product of at most 10²⁴: what densities
-    /// fall with. Where x is no number it is 0. In `f32` it is 0 below 2⁻¹¹⁹ = 1.5·10⁻³⁶, and above it
-    /// has all its digits even where 2⁻ˣ alone would have lost some.
+    /// fall with. Where x is no number it is 0. In `f32` it is 0 below the least normal number, and above
+    /// it has all its digits even where 2⁻ˣ alone would have lost some.
     #[must_use]
     #[inline(always)]
     #[track_caller]

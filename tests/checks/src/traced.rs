@@ -142,5 +142,5 @@ impl Real for Traced {
     }
     functions!(abs floor sqrt rsqrt exp exp_m1 ln ln_1p sin cos tan asin acos);
     functions!(angle_squared erf erfc erf_inv);
-    functions_of_two!(min max copysign powf atan2);
+    functions_of_two!(min max copysign powf atan2 decay);
 }

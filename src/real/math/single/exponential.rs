@@ -29,12 +29,12 @@ pub(in crate::real) fn exp(x: f32) -> f32 {
 /// linear programming on 801 points, coefficients rounded one after the other.
 ///
 /// The power is lifted, so that it has all its digits where the product has, and a product that would
-/// be small is zero before it is put back, since numbers that underflow are slow.
+/// underflow is zero before it is put back, since such numbers are slow.
 #[inline(always)]
 pub(in crate::real) fn decay(x: f32, factor: f32) -> f32 {
     const LIFT: u32 = 48;
     const BACK: f32 = 1.0 / (1_u64 << LIFT) as f32;
-    const LEAST: f32 = 4.2351647e-22; // 2⁻⁷¹, that is 2⁻¹¹⁹ lifted
+    const LEAST: f32 = f32::MIN_POSITIVE * (1_u64 << LIFT) as f32;
     const LARGEST: f32 = (127 + LIFT) as f32; // lifted, a power with the exponent of zero
     let x = if x < LARGEST { x } else { LARGEST };
     let shifted = ROUND - x;
