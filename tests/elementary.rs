@@ -646,7 +646,7 @@ bits! {
     erfc(-5.0, 9.0) 0xb8c5b4a7cb067efb
     erfcx(0.0, 20.0) 0x41571d90ad5ffc7e
     ierfc(0.0, 5.0) 0x38977ac123be2c3a
-    decay(0.0, 150.0) 0xc0a8a508e623e254
+    decay(0.0, 150.0) 0xb1d2dc765ff8019b
     mean_magnitude(0.0, 5.0) 0xe4849ca444dee9ba
     erf_inv(-1.0, 1.0) 0x57bab2d979817fb5
 }

@@ -45,7 +45,7 @@ pub(super) static MUTANTS: [Mutant; 39] = [
     Mutant::new("Beckmann", "tan²α drawn for tanα", SLOPES,
         "let tan = tan_squared.min(T::lit(40.0)).▸sqrt();", Sqrt, LEFT),
     Mutant::new("Beckmann", "visible slopes turned the wrong way", SLOPES,
-        "(▸along * cos_phi - across * sin_phi, along * sin_phi", Sub, PLUS),
+        "T::select(tilted, ▸along * cos_phi - across * sin_phi, x)", Sub, PLUS),
     Mutant::new("GGX", "power 1 for 2", GGX,
         "quotient.▸squared()", Squared, LEFT),
     Mutant::new("GGX", "the axes of an anisotropic surface exchanged", ROUGHNESS,
