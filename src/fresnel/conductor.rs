@@ -5,7 +5,7 @@ use crate::block::{Block, ColorBlock, CosineBlock};
 use crate::parameter::model;
 use crate::polarization::Polarized;
 use crate::quadrature::integrate;
-use crate::real::{Color, Mask, Real, in_place};
+use crate::real::{Color, Mask, Real};
 
 model! {
     /// Fresnel's reflectance of a conductor or any absorbing medium, exact, seen from a transparent
@@ -68,7 +68,6 @@ model! {
 
 impl<C> Conductor<C> {
     /// Whether k is known to be above n in every channel.
-    #[inline(always)]
     fn is_metallic<T: Real>(&self) -> bool
     where
         C: Color<T>,
@@ -113,21 +112,6 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {
         }
     }
 
-    #[inline(always)]
-    fn reflected(&self, cos: T, scale: T) -> C {
-        in_place!(
-            T,
-            #[inline(always)]
-            || {
-                if self.is_metallic() {
-                    scaled(self.of_metal(cos), scale)
-                } else {
-                    scaled(self.reflectance(cos), scale)
-                }
-            },
-        )
-    }
-
     #[inline(never)]
     fn reflected_block(&self, mirrored: Block<'_, T, 2>, values: &mut ColorBlock<T, C>) {
         let [cos, scale] = mirrored.planes;
@@ -141,7 +125,7 @@ impl<T: Real, C: Color<T>> Fresnel<T> for Conductor<C> {
             mirrored.colors(
                 values,
                 #[inline(always)]
-                |index| scaled(self.reflectance(cos[index]), scale[index]),
+                |index| self.reflected(cos[index], scale[index]),
             );
         }
     }
