@@ -161,7 +161,7 @@ impl Real for Expr {
     }
     functions!(rsqrt Rsqrt exp Exp exp_m1 ExpM1 ln Ln ln_1p Ln1p tan Tan asin Asin acos Acos);
     functions!(angle_squared AngleSquared erf Erf erfc Erfc erfcx Erfcx ierfc Ierfc erf_inv ErfInv);
-    functions_of_two!(copysign Copysign atan2 Atan2);
+    functions_of_two!(copysign Copysign atan2 Atan2 decay Decay);
 }
 
 /// A direction or a colour of a shader, a `vec3<f32>`.

@@ -24,7 +24,7 @@
 //! | `atan2` | 1.6 | |
 //! | `erf` | 2.0 | |
 //! | `erfc` | 5.0 | |
-//! | `erfcx`, `ierfc`, `power_of_part` | | as in `f32` |
+//! | `decay`, `erfcx`, `ierfc`, `power_of_part` | | as in `f32` |
 //! | `erf_inv` | 3.5 | |
 //! | `rsqrt` | 1.5 | |
 //!

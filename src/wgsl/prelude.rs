@@ -46,6 +46,7 @@ functions! {
     Ln1p "ln_1p"
     Powf "powf"
     PowerOfPart "power_of_part"
+    Decay "decay"
     InQuadrant "in_quadrant"
     SinCos "sin_cos"
     SinCosTurns "sin_cos_turns"

@@ -264,7 +264,9 @@ impl Printer<'_> {
                 self.body.functions.insert(function);
                 let operands = match function {
                     Function::PowerOfPart | Function::Clamped => vec![a, b, c],
-                    Function::Copysign | Function::Powf | Function::Atan2 => vec![a, b],
+                    Function::Copysign | Function::Powf | Function::Atan2 | Function::Decay => {
+                        vec![a, b]
+                    }
                     _ => vec![a],
                 };
                 let operands: Vec<String> =
