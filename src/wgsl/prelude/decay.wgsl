@@ -7,5 +7,5 @@ fn brdf_decay(x: f32, factor: f32) -> f32 {
     let power = 1.0 + r * (0.6931472 + 0.24022648 * r
         + r2 * (0.0555036 + 0.009618506 * r + r2 * (0.0013390806 + 0.00015326471 * r)));
     let lifted = brdf_scaled(power, 48 - i32(n)) * factor;
-    return lifted * select(0.0, 3.5527137e-15, lifted >= 3.3087225e-24);
+    return lifted * select(0.0, 3.5527137e-15, lifted >= 3.3087225e-24 && x < 174.0);
 }
