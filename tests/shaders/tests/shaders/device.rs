@@ -71,8 +71,9 @@ fn pairs_are_as_exact(
         );
         // In units of the bound a rounding is 2⁻²³/2·10⁻⁶.
         let ratio = 1.1 * own.ratio + 0.06;
+        // The largest error of a flank depends on how the bits fall; of what rounding may do there it is no larger part.
         if !(got.median <= allowed(own.median)
-            && got.maximum <= allowed(own.maximum)
+            && got.maximum <= 1.25 * allowed(own.maximum)
             && got.ratio <= ratio)
         {
             failures.push(format!("{name}, {quantity:?}: {got:?}, the crate {own:?}"));

@@ -98,7 +98,7 @@ fn functions() -> Vec<Function> {
         function!(2 powf, 4.5, of_two([0.5, 2.0], [-2000.0, 2000.0])),
         function!(2 powf, 1.6, of_two([tiny, f32::MAX], [-3.0, 3.0])),
         function!(2 atan2, 1.6, of_two([-2.0, 2.0], [-2.0, 2.0])),
-        function!(2 decay, 1.6, of_two([0.0, 100.0], [1e-3, 1e9])),
+        function!(2 decay, 2.0, of_two([0.0, 100.0], [1e-3, 1e9])),
         function!(2 copysign, 0.0, of_two([-2.0, 2.0], [-2.0, 2.0])),
         function!(2 min, 0.0, of_two([-2.0, 2.0], [-2.0, 2.0])),
         Function {
